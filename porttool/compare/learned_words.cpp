@@ -7,6 +7,7 @@
 #include <set>
 
 #include "porttool/compare/alignment.h"
+#include "porttool/compare/own_parts.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/normal_form.h"
@@ -25,7 +26,8 @@ public:
         const std::vector<std::string> source(texts.source_before.begin(), texts.source_before.end());
         const std::vector<std::string> target(texts.target_before.begin(), texts.target_before.end());
         WordKeys keys(dialect);
-        const AlignedText a = keys.text(source, false), b = keys.text(target, false);
+        AlignedText a = keys.text(source, false), b = keys.text(target, false);
+        join_own_parts(a, b, own_parts({}));
         const Alignment found = align(a, b, {});
         marks_at_.resize(source.size(), Marks::Unknown);
         type_at_.resize(source.size());

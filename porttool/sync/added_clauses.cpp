@@ -35,7 +35,7 @@ private:
         const size_t left = was_before == kNothing ? kNothing : target_before(was_before);
         const size_t right = was_after == kNothing ? kNothing : target_after(was_after);
         const std::string what = shown(texts_.now.words, now(first).first, now(end - 1).end);
-        const size_t close = place_beside(was_before, was_after);
+        size_t close = now(first).opens ? place_around(was_before, was_after) : place_beside(was_before, was_after);
         const auto give_up = [&](const std::string& why) {
             for (size_t c = was_before == kNothing ? 0 : was_before + 1; c < before_end(was_after); ++c)
                 sources_.held.insert(c);
@@ -64,7 +64,10 @@ private:
             return give_up("the port has a part of it already");
         }
         std::optional<size_t> place = place_among(left, right, own, clauses, was_before, was_after);
-        if (!place) return give_up("the port has statements of its own there, and which comes first matters");
+        if (!place) {
+            close = last_that_names(own, clauses, close);
+            return give_up("the port has statements of its own there, and which comes first matters");
+        }
         if (!is_in_counterpart(block, *place)) return give_up("the block around it has no counterpart in the port");
         if (parts_neighbours(left, right, *place) && !is_set_apart_for_data(*place, was_before, was_after))
             return give_up(
@@ -99,6 +102,30 @@ private:
         if (counterpart(was_before) != kNothing) return target(counterpart(was_before)).end - 1;
         if (was_after != kNothing && counterpart(was_after) != kNothing) return target(counterpart(was_after)).first;
         return near(was_before);
+    }
+
+    /// The same of a block that comes around what follows it.
+    size_t place_around(size_t was_before, size_t was_after) const {
+        const bool stands = was_after != kNothing && counterpart(was_after) != kNothing && !before(was_after).closes;
+        return stands ? target(counterpart(was_after)).first : place_beside(was_before, was_after);
+    }
+
+    /// The last of the port's own clauses that shares a name with new ones: these come beside it, one way or the other.
+    size_t last_that_names(const std::vector<size_t>& own, const std::vector<ClauseAdded>& clauses,
+                           size_t otherwise) const {
+        const std::set<std::string> names = names_of(clauses);
+        for (size_t k = own.size(); k-- > 0;)
+            for (size_t i = target(own[k]).first; i < target(own[k]).end; ++i)
+                if (names.contains(texts_.target.words[i])) return target(own[k]).first;
+        return otherwise;
+    }
+
+    std::set<std::string> names_of(const std::vector<ClauseAdded>& clauses) const {
+        std::set<std::string> names;
+        for (const ClauseAdded& clause : clauses)
+            for (size_t i = 0; i < clause.words.size(); ++i)
+                if (is_name(clause.words[i].text) && !is_scoped(clause.words, i)) names.insert(clause.words[i].text);
+        return names;
     }
 
     /// The counterpart of the nearest clause at or before c that has one, within the block that c stands in.
@@ -327,10 +354,7 @@ private:
         // Behind a `return` of the port's own nothing would run.
         if (beside_left && own[0] == left + 1 && texts_.target.words[target(own[0]).first] == "return")
             return target(own[0]).first;
-        std::set<std::string> names;
-        for (const ClauseAdded& clause : clauses)
-            for (size_t i = 0; i < clause.words.size(); ++i)
-                if (is_name(clause.words[i].text) && !is_scoped(clause.words, i)) names.insert(clause.words[i].text);
+        const std::set<std::string> names = names_of(clauses);
         for (const size_t c : own)
             for (size_t i = target(c).first; i < target(c).end; ++i)
                 if (names.contains(texts_.target.words[i])) return std::nullopt;

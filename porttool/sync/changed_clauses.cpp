@@ -98,10 +98,10 @@ private:
     void leave_strange() {
         for (size_t i = 0; i < strange_.size();) {
             const auto [was, is] = strange_[i];
-            const size_t there = near(was);
+            const size_t there = place_of_strange(was, is);
             size_t end = i + 1;
             while (end < strange_.size() && strange_[end].second <= strange_[end - 1].second + 2 &&
-                   near(strange_[end].first) == there)
+                   place_of_strange(strange_[end].first, strange_[end].second) == there)
                 ++end;
             const auto [last_was, last_is] = strange_[end - 1];
             leave("the port has nothing that clearly stands for `" +
@@ -111,6 +111,31 @@ private:
             out_.left.back().statements = end - i;
             i = end;
         }
+    }
+
+    /// Where the port has another statement that changed in the same words; else what resembles this one.
+    size_t place_of_strange(size_t was, size_t is) const {
+        const auto distance = [&](size_t other) { return other > is ? other - is : is - other; };
+        const std::string edit = edit_of(was, is);
+        size_t best = kNothing;
+        for (size_t c = 0; c < origin_.size(); ++c)
+            if (origin_[c] != kNothing && counterpart(origin_[c]) != kNothing && edit_of(origin_[c], c) == edit &&
+                (best == kNothing || distance(c) < distance(best)))
+                best = c;
+        return best == kNothing ? near(was) : target(counterpart(origin_[best])).first;
+    }
+
+    /// The words that went from a clause and came to it; those of a renaming are not told.
+    std::string edit_of(size_t was, size_t is) const {
+        std::string out;
+        for (const Hunk& hunk : words_.hunks_of(before(was), now(is))) {
+            if (is_renaming(hunk)) continue;
+            for (size_t i = hunk.first; i < hunk.end; ++i) out += texts_.before.words[i] + ' ';
+            out += '\n';
+            for (size_t i = hunk.now_first; i < hunk.now_end; ++i) out += texts_.now.words[i] + ' ';
+            out += '\n';
+        }
+        return out;
     }
 
     /// True for a `return` of a value where the target has more of them than the source.

@@ -119,8 +119,24 @@ size_t EditReading::times_in_source(const Clause& clause) const {
     }
 }
 
+size_t EditReading::counterpart_of_same(size_t c) const {
+    const Clause& mine = before(c);
+    const auto distance = [&](size_t other) { return other > c ? other - c : c - other; };
+    size_t best = kNothing;
+    for (size_t other = 0; other < texts_.before.clauses.size(); ++other) {
+        if (counterpart(other) == kNothing || before(other).closes || before(other).size() != mine.size()) continue;
+        const auto words = texts_.before.exact.begin();
+        const bool same =
+            std::equal(words + static_cast<std::ptrdiff_t>(mine.first), words + static_cast<std::ptrdiff_t>(mine.end),
+                       words + static_cast<std::ptrdiff_t>(before(other).first));
+        if (same && (best == kNothing || distance(other) < distance(best))) best = other;
+    }
+    return best == kNothing ? best : counterpart(best);
+}
+
 size_t EditReading::near(size_t c) const {
     if (counterpart(c) != kNothing) return target(counterpart(c)).first;
+    if (const size_t same = counterpart_of_same(c); same != kNothing) return target(same).first;
     size_t left = 0, right = texts_.target.clauses.size(), after_left = c, before_right = texts_.before.clauses.size();
     for (size_t i = c; i-- > 0;)
         if (counterpart(i) != kNothing) {

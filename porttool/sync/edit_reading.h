@@ -65,6 +65,8 @@ private:
     std::optional<size_t> only_place_of(const std::vector<CarriedWord>& words) const;
     size_t times_in_source(const Clause& clause) const;
     double resemblance(size_t c, size_t there) const;
+    /// What stands in the target for another clause of the source's old text that says the same.
+    size_t counterpart_of_same(size_t c) const;
     size_t says_rare_name_of(size_t c, size_t place) const;
     /// Branches that the port takes on another condition, or that may be the other ones of two: what stands in them
     /// there is not known.

@@ -14,16 +14,27 @@
 #include "porttool/scan/scan.h"
 #include "porttool/sync/call_sites.h"
 #include "porttool/sync/text_literals.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
 
-/// How a word begins that belongs to one language's run time; "" for others.
+/// How a word begins that belongs to one language's run time; "" for others. Of what begins with few letters, the rest
+/// has to look like it: `cuInit` and `cublasCreate`, and not `current` and `cubic`.
 std::string_view runtime_of(std::string_view word) {
-    constexpr std::array<std::string_view, 12> kBegin = {"cuda", "CUDA", "cub", "cu", "hip",  "HIP",
-                                                         "sycl", "CL_",  "cl_", "rt", "omp_", "__"};
+    constexpr std::array<std::string_view, 9> kBegin = {"cuda", "CUDA", "hip",  "HIP", "sycl",
+                                                        "CL_",  "cl_",  "omp_", "__"};
     for (const std::string_view begin : kBegin)
         if (word.starts_with(begin)) return begin;
+    constexpr std::array<std::string_view, 9> kLibraries = {"cublas", "cufft",    "curand",  "cusparse", "cusolver",
+                                                            "cudnn",  "cutensor", "cutlass", "curtc"};
+    const bool is_of_library = std::any_of(kLibraries.begin(), kLibraries.end(),
+                                           [&](std::string_view library) { return word.starts_with(library); });
+    if (is_of_library) return "cu";
+    if (word == "cub") return "cub";
+    for (const std::string_view begin : {"cu", "rt"})
+        if (word.starts_with(begin) && word.size() > begin.size() && is_capital_letter(word[begin.size()]))
+            return begin;
     return {};
 }
 
@@ -252,10 +263,18 @@ std::string KnownWords::in_other_manner(std::string_view word) const {
     for (const SideWords::ByMeaning* words : {&by_meaning_, &to_.all.by_meaning()})
         if (const auto found = words->find(name); found != words->end()) {
             std::string said = usual(&found->second);
-            // A macro is no variable of its name.
-            return is_capital(said) == is_capital(word) ? said : std::string();
+            // A macro is no variable of its name, and where the source has both they are two things.
+            const bool is_another = said != word && is_in_source_file(said);
+            return is_capital(said) == is_capital(word) && !is_another ? said : std::string();
         }
     return {};
+}
+
+bool KnownWords::is_in_source_file(std::string_view word) const {
+    const LexedText& lexed = from_.edited.lexed;
+    return std::any_of(lexed.tokens.begin(), lexed.tokens.end(), [&](const Token& token) {
+        return token.kind == TokenKind::Identifier && lexed.view(token) == word;
+    });
 }
 
 bool KnownWords::is_only_local(std::string_view word) const {

@@ -144,6 +144,7 @@ private:
     using Uses = SideWords::Uses;
 
     void add_name(TokenRange parameter);
+    bool is_in_source_file(std::string_view word) const;
     bool speaks(std::string_view runtime) const;
     bool scopes_builtins() const;
     bool uses_std() const;

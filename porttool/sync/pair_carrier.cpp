@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "porttool/compare/alignment.h"
+#include "porttool/compare/own_parts.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/normal/unit_state.h"
@@ -19,7 +20,6 @@
 #include "porttool/sync/scopes.h"
 #include "porttool/sync/told_places.h"
 #include "porttool/sync/transplant.h"
-#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -47,15 +47,9 @@ void declare_constants(const AlignedText& text, const UnitWords& words, const st
         }
 }
 
-/// `cudaFree` and `hipFree` are one word where statements are laid side by side.
-void join_runtimes(AlignedText& text, WordKeys& keys) {
-    for (size_t i = 0; i < text.words.size(); ++i)
-        for (const std::string_view runtime : {"cuda", "hip"}) {
-            const std::string& word = text.words[i];
-            if (!word.starts_with(runtime) || word.size() <= runtime.size() || !is_capital_letter(word[runtime.size()]))
-                continue;
-            text.common[i] = keys.exact("\x02" + word.substr(runtime.size()));
-        }
+/// What the names of both units and their paths have of their own.
+OwnParts parts_of_pair(const ScannedFile& file, const Unit& unit, const ScannedFile& other, const Unit& port) {
+    return own_parts({{unit.name, file.path}, {port.name, other.path}});
 }
 
 /// The name of the class that a unit is a method of; "" for none.
@@ -131,7 +125,7 @@ struct PairCarrier::Texts : Places {
           new_text(keys.text(is.words, unit.kind == UnitKind::Struct)),
           port_text(keys.text(there.words, unit.kind == UnitKind::Struct)),
           edit(align(old_text, new_text, {0.5, false})) {
-        for (AlignedText* text : {&old_text, &port_text}) join_runtimes(*text, keys);
+        join_own_parts(old_text, port_text, parts_of_pair(file, unit, draft.scanned, port));
         across = align(old_text, port_text, {});
         match_block_ends(old_text, new_text, edit);
         match_only_clauses(old_text, new_text, edit);
@@ -139,12 +133,8 @@ struct PairCarrier::Texts : Places {
     }
 
     ToldPlaces places() const {
-        return {{line_of_each(file, is, new_text), line_of_each(draft.scanned, there, port_text)},
-                old_text,
-                new_text,
-                port_text,
-                edit,
-                across};
+        return {
+            {line_of_each(file, is), line_of_each(draft.scanned, there)}, old_text, new_text, port_text, edit, across};
     }
 
     void learn() {
@@ -178,7 +168,7 @@ void PairCarrier::carry(const PairEdit& edit, Proposal& out) {
     texts.learn();
     KnownNames names = names_of(edit, texts);
     Transplant found = transplanted(edit, texts, names, out);
-    leave_unported(edit, texts, names, out);
+    leave_unported(edit, texts, names, found, out);
     // Where more is left than carried, a part of the port would only be in the way.
     constexpr size_t kFew = 2;
     if (found.left_size() > std::max(kFew, found.size())) return;
@@ -230,7 +220,7 @@ Transplant PairCarrier::transplanted(const PairEdit& edit, const Texts& texts, K
     const LearnedBeside beside = knowledge_.learned_beside(edit.from, file.path, texts.other.path);
     const Unit& port = texts.port;
     const bool is_method = !class_of(port).empty();
-    UnitSurroundings around{!runs_on_device(file, texts.unit),
+    UnitSurroundings around{!runs_on_device(file, texts.unit), is_method,
                             is_method && leaf_of(class_of(port)) == leaf_of(class_of(texts.unit)),
                             device_wait(texts.there.words, texts.other)};
     read_earlier_file(edit, texts, around);
@@ -280,7 +270,7 @@ void PairCarrier::read_earlier_file(const PairEdit& edit, const Texts& texts, Un
 
 /// New units without a port that the edit comes to use.
 void PairCarrier::leave_unported(const PairEdit& edit, const Texts& texts, const KnownNames& names,
-                                 Proposal& out) const {
+                                 const Transplant& found, Proposal& out) const {
     const std::vector<std::string>&is = texts.is.words, &was = texts.was.words;
     for (const auto& [name, why] : names.unported) {
         const auto call = std::find(is.begin(), is.end(), name);
@@ -290,7 +280,7 @@ void PairCarrier::leave_unported(const PairEdit& edit, const Texts& texts, const
             edit.from,
             "it uses `" + name + "`, which came without a port; port that, too" + (why.empty() ? why : ": " + why),
             line_at(texts.file, texts.is, static_cast<size_t>(call - is.begin())),
-            edit.pair.unit[edit.to()]->start_line));
+            texts.places().of("`" + name + "`", found).second));
     }
 }
 
@@ -327,7 +317,8 @@ void PairCarrier::finish(const PairEdit& edit, const Texts& texts, const Transpl
     };
     const auto refuse = [&](std::string why) {
         out.state = ProposalState::Refused;
-        leave_at_heads(edit, std::move(why), out);
+        const auto [here, there] = places.first_edit(found);
+        out.left.push_back(left_at(edit.from, std::move(why), here, there));
     };
     const JudgedPair& pair = edit.pair;
     const Unit& port = *draft.unit(pair.unit[edit.to()]->id);

@@ -68,7 +68,8 @@ private:
     KnownNames names_of(const PairEdit& edit, const Texts& texts);
     void read_earlier_file(const PairEdit& edit, const Texts& texts, UnitSurroundings& out);
     Transplant transplanted(const PairEdit& edit, const Texts& texts, KnownNames& names, Proposal& out);
-    void leave_unported(const PairEdit& edit, const Texts& texts, const KnownNames& names, Proposal& out) const;
+    void leave_unported(const PairEdit& edit, const Texts& texts, const KnownNames& names, const Transplant& found,
+                        Proposal& out) const;
     bool write(const PairEdit& edit, const Texts& texts, const KnownNames& names, Transplant& found, Proposal& out);
     void finish(const PairEdit& edit, const Texts& texts, const Transplant& found, const std::vector<TextEdit>& edits,
                 Proposal& out);

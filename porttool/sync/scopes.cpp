@@ -76,13 +76,14 @@ bool is_member(const std::vector<std::string>& words, size_t i) {
     return i > 0 && is_one_of(words[i - 1], {".", "->", "::"});
 }
 
-/// The parameters of a function's head, however they are handed over: the last name of each.
+/// The parameters of a function's head, however they are handed over: the last name of each. A method's name may go on
+/// behind its `@`: `void @ < T > :: scale (`.
 std::set<std::string> parameter_names(const std::vector<std::string>& words) {
     std::set<std::string> out;
     auto at = static_cast<size_t>(std::find(words.begin(), words.end(), "@") - words.begin());
-    if (at + 1 >= words.size() || words[at + 1] != "(") return out;
+    while (at < words.size() && words[at] != "(") ++at;
     int depth = 1;
-    for (at += 2; at < words.size(); ++at) {
+    for (++at; at < words.size(); ++at) {
         const std::string& word = words[at];
         depth += is_one_of(word, {"(", "[", "<"}) ? 1 : is_one_of(word, {")", "]", ">"}) ? -1 : 0;
         if (word == ">>" && depth > 2) depth -= 2;

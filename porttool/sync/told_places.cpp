@@ -38,12 +38,6 @@ size_t clause_that_says(const AlignedText& text, const std::string& said) {
     return kNothing;
 }
 
-size_t clause_at(const AlignedText& text, size_t word) {
-    for (size_t c = 0; c < text.clauses.size(); ++c)
-        if (word < text.clauses[c].end) return c;
-    return text.clauses.empty() ? 0 : text.clauses.size() - 1;
-}
-
 /// The counterpart of a clause, or of the nearest before it.
 size_t beside(const std::vector<size_t>& clause_of, size_t c) {
     for (++c; c-- > 0;)
@@ -53,10 +47,10 @@ size_t beside(const std::vector<size_t>& clause_of, size_t c) {
 
 }  // namespace
 
-std::vector<uint32_t> line_of_each(const ScannedFile& file, const UnitWords& words, const AlignedText& text) {
+std::vector<uint32_t> line_of_each(const ScannedFile& file, const UnitWords& words) {
     std::vector<uint32_t> out;
-    out.reserve(text.clauses.size());
-    for (const Clause& clause : text.clauses) out.push_back(line_at(file, words, clause.first));
+    out.reserve(words.size());
+    for (size_t i = 0; i < words.size(); ++i) out.push_back(line_at(file, words, i));
     return out;
 }
 
@@ -66,49 +60,55 @@ size_t ToldPlaces::target_beside(size_t was) const { return beside(across.clause
 std::pair<uint32_t, uint32_t> ToldPlaces::of(const std::string& sentence, const Transplant& found) const {
     for (const std::string& said : quoted(sentence)) {
         if (const size_t is = clause_that_says(now, said); is != kNothing) {
-            if (const size_t made = made_of(is, found); made != kNothing) return at(is, made);
+            if (const auto made = made_of(is, found)) return *made;
             size_t was = kNothing;  // of it, or of the nearest before it
             for (size_t c = 0; c < edit.clause_of.size(); ++c)
                 if (edit.clause_of[c] != kNothing && edit.clause_of[c] <= is) was = c;
             const size_t there = clause_that_says(target, said);
-            return at(is, there != kNothing ? there : was == kNothing ? 0 : target_beside(was));
+            return at_clauses(is, there != kNothing ? there : was == kNothing ? 0 : target_beside(was));
         }
         if (const size_t was = clause_that_says(before, said); was != kNothing)
-            return at(now_beside(was), target_beside(was));
+            return at_clauses(now_beside(was), target_beside(was));
         if (const size_t there = clause_that_says(target, said); there != kNothing) {
             size_t was = 0;
             for (size_t c = 0; c < across.clause_of.size(); ++c)
                 if (across.clause_of[c] != kNothing && across.clause_of[c] <= there) was = c;
-            return at(now_beside(was), there);
+            return at_clauses(now_beside(was), there);
         }
     }
     return first_edit(found);
 }
 
-/// The clause of the target that words of a clause of now went into.
-size_t ToldPlaces::made_of(size_t is, const Transplant& found) const {
+/// Where words of a clause of now went: a head of many lines has more than one.
+std::optional<std::pair<uint32_t, uint32_t>> ToldPlaces::made_of(size_t is, const Transplant& found) const {
     for (const WordsReplaced& one : found.replaced)
         if (one.source_first >= now.clauses[is].first && one.source_first < now.clauses[is].end)
-            return clause_at(target, one.first);
+            return at(one.source_first, one.first);
     for (const ClausesAdded& one : found.added)
         for (const ClauseAdded& clause : one.clauses)
-            if (clause.source == is) return clause_at(target, one.before);
-    return kNothing;
+            if (clause.source == is) return at(now.clauses[is].first, one.before);
+    return std::nullopt;
 }
 
 std::pair<uint32_t, uint32_t> ToldPlaces::first_edit(const Transplant& found) const {
-    if (!found.replaced.empty())
-        return at(clause_at(now, found.replaced.front().source_first), clause_at(target, found.replaced.front().first));
+    if (!found.replaced.empty()) return at(found.replaced.front().source_first, found.replaced.front().first);
     if (!found.added.empty())
-        return at(found.added.front().clauses.front().source, clause_at(target, found.added.front().before));
-    return at(0, found.removed.empty() ? 0 : found.removed.front());
+        return at(now.clauses[found.added.front().clauses.front().source].first, found.added.front().before);
+    return at_clauses(0, found.removed.empty() ? 0 : found.removed.front());
 }
 
-std::pair<uint32_t, uint32_t> ToldPlaces::at(size_t now_clause, size_t target_clause) const {
-    const auto line = [](const std::vector<uint32_t>& all, size_t clause) {
-        return clause < all.size() ? all[clause] : 0;
+std::pair<uint32_t, uint32_t> ToldPlaces::at_clauses(size_t now_clause, size_t target_clause) const {
+    const auto word = [](const AlignedText& text, size_t clause) {
+        return clause < text.clauses.size() ? text.clauses[clause].first : 0;
     };
-    return {line(lines.first, now_clause), line(lines.second, target_clause)};
+    return at(word(now, now_clause), word(target, target_clause));
+}
+
+std::pair<uint32_t, uint32_t> ToldPlaces::at(size_t now_word, size_t target_word) const {
+    const auto line = [](const std::vector<uint32_t>& all, size_t word) {
+        return all.empty() ? 0 : all[std::min(word, all.size() - 1)];
+    };
+    return {line(lines.first, now_word), line(lines.second, target_word)};
 }
 
 }  // namespace porttool

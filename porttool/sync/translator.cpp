@@ -263,6 +263,7 @@ std::string EditTranslator::type_named(const std::string& name) const {
 std::string EditTranslator::word(std::string_view text, Use use) const {
     if (const auto unit = units_.names.find(text); unit != units_.names.end() && unit->second.size() == 1)
         return *unit->second.begin();
+    if (text == "this" && around_.is_method && known_.are_both_cpp()) return std::string(text);
     if (brought_.contains(text) || word_is(text, kKeyword | kTypePart | kConstant) || known_.in_file(text))
         return std::string(text);
     if (std::string said = known_.in_dialect(text, use == Use::Call); !said.empty()) return said;

@@ -44,6 +44,7 @@ struct UnitNames {
 /// What is known of the unit that changes, beside its text.
 struct UnitSurroundings {
     bool on_host = false;                           ///< nothing of it runs on a device
+    bool is_method = false;                         ///< the port is one
     bool is_of_one_class = false;                   ///< both sides' units are methods of classes of one name
     DeviceWait wait = {};                           ///< of the port
     std::set<std::string, std::less<>> fresh = {};  ///< words that its file did not have before the edit
