@@ -76,8 +76,17 @@ void WordChanger::change_run(Hunk hunk, size_t was, size_t there) {
     if (hunk.first == hunk.end ? insert_run(hunk, was, there) : replace_run(hunk) || drop_elements(hunk)) return;
     const Clause &here = before(was), &other = target(there);
     // Out to words that stand for words of the target.
-    while (hunk.first > here.first && word_of(hunk.first - 1) == kNothing) --hunk.first, --hunk.now_first;
-    while (hunk.end < here.end && word_of(hunk.end) == kNothing) ++hunk.end, ++hunk.now_end;
+    const Hunk told = hunk;
+    while (hunk.first > here.first && word_of(hunk.first - 1) == kNothing) {
+        if (hunk.now_first == 0 || texts_.edit.word_of[hunk.first - 1] != hunk.now_first - 1)
+            return leave_run(told, other.first, "the port says otherwise what else changed beside it");
+        --hunk.first, --hunk.now_first;
+    }
+    while (hunk.end < here.end && word_of(hunk.end) == kNothing) {
+        if (texts_.edit.word_of[hunk.end] != hunk.now_end)
+            return leave_run(told, other.first, "the port says otherwise what else changed beside it");
+        ++hunk.end, ++hunk.now_end;
+    }
     const size_t first = hunk.first == here.first ? other.first : word_of(hunk.first - 1) + 1;
     const size_t end = hunk.end == here.end ? other.end : word_of(hunk.end);
     const CarriedWords now = carry_new(hunk.now_first, hunk.now_end);

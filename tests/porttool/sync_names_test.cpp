@@ -101,5 +101,18 @@ TEST_F(SyncOwnNames, WhatThePortHasOnceIsNamedWhereItHasIt) {
     for (const nlohmann::json& item : got["left"]) EXPECT_NEAR(item["target_line"].get<int>(), 7, 3) << got.dump(1);
 }
 
+TEST_F(SyncOwnNames, WhatThePortLacksIsNotReadBeyondTheEndOfTheEdit) {
+    const std::string begin = "void bind(box& m) {\n  item<Cells, Base>(m, \"Cells\").with(init<Shared<Sys>>())";
+    start("k.cc",
+          begin +
+              "\n    .part(\"size\", &Cells::size, &Cells::resize)\n    .def(\"join\", &Cells::join)\n"
+              "    .def(\"leave\", &Cells::leave);\n}\n",
+          "g.cc", "void bind(box& m) {\n  item<CellsGPU, Cells>(m, \"CellsGPU\").with(init<Shared<Sys>>());\n}\n");
+    expect_left(begin +
+                    "\n    .part(\"size\", &Cells::size, &Cells::resize)\n    .part(\"shift\", &Cells::shifts, "
+                    "&Cells::shift);\n}\n",
+                "changed beside it", 2);
+}
+
 }  // namespace sync_own_names_test
 }  // namespace porttool::testing
