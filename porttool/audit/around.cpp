@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "porttool/audit/aside.h"
-#include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/normal/statements.h"
 #include "porttool/text/letters.h"
@@ -64,16 +63,6 @@ BranchEnds branch_ends(const ReadSide& side, size_t index, bool forward) {
     return {index, index};
 }
 
-bool counts_a_loop(const std::string& name, const ReadSide& side) {
-    return std::any_of(side.words.begin(), side.words.end(), [&](const Text& words) {
-        for (size_t i = 0; i + 4 < words.size(); ++i) {  // it may stand behind a line of the preprocessor
-            if (!word_is(words[i], kLoopHead) || words[i + 1] != "(") continue;
-            if (words[i + 2] == name || (is_word_token(words[i + 2]) && words[i + 3] == name)) return true;
-        }
-        return false;
-    });
-}
-
 }  // namespace
 
 bool heads_a_message(const ReadSide& side, size_t index) {
@@ -108,19 +97,6 @@ bool governs_the_same(const ReadSide& side, size_t index, const ReadSide& other)
     const Text& head = other.words[near.index - 1];
     return is_governing_head(head) && head[0] == side.words[index][0] &&
            nearest_likeness(other.weighed[near.index - 1], side.weighed) < kCounterpart;
-}
-
-bool only_finds_places(const ReadSide& side, size_t index, const ReadSide& other) {
-    const Text& own = side.words[index];
-    if (own.size() < 3 || own[1] != "=" || !is_word_token(own[0])) return false;
-    bool any = false;
-    for (size_t i = 1; i < side.words.size(); ++i) {
-        const Text& words = side.words[i];
-        if (i == index || std::find(words.begin(), words.end(), own[0]) == words.end()) continue;
-        if (words.size() < 3 || words[1] != "=" || !counts_a_loop(words[0], other)) return false;
-        any = true;
-    }
-    return any;
 }
 
 }  // namespace porttool

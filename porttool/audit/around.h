@@ -22,10 +22,4 @@ bool is_alternative(const ReadSide& side, size_t index, const ReadSide& other);
 ///         sum += weight * pixel [ at ] ;            sum += weight * pixel [ at ] ;
 bool governs_the_same(const ReadSide& side, size_t index, const ReadSide& other);
 
-/// True for `a = ...` where all that uses `a` sets what the other side counts in the heads of loops: so a thread finds
-/// its place where the other side goes through all of them.
-///
-///     area = w * h ; z = i / area ; y = i / w % h ;       for ( z = 0 ; ... ) for ( y = 0 ; ... )
-bool only_finds_places(const ReadSide& side, size_t index, const ReadSide& other);
-
 }  // namespace porttool

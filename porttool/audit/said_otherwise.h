@@ -22,8 +22,7 @@ public:
         return has_in_shape(side, index) || stands_alike_in_file(side, index) || only_brings(side, index) ||
                only_guards(side, index) || is_part_of_swap(side, index) || is_bound_of_loop(side, index) ||
                names_value(side, index) || heads_a_message(texts_.sides[side], index) ||
-               is_alternative(texts_.sides[side], index, texts_.sides[other(side)]) ||
-               only_finds_places(texts_.sides[side], index, texts_.sides[other(side)]);
+               is_alternative(texts_.sides[side], index, texts_.sides[other(side)]);
     }
 
     /// How sure it is that it is not, 0 to 1, by its words, its names and the statements around it.

@@ -492,10 +492,12 @@ TEST_F(HandMadeAudit, EditsThatEachSideMakesInItsOwnWay) {
          "if (k > n * col) throw std::runtime_error(\"too many\"); sum += level * w[k]; level *= 3.0f;", true},
         {"repeat", "sum += level * w[k]; out[k] = sum + v[k] * wide; level *= 3.0f;",
          "sum += level * w[k]; for (int i = 0; i < n * step; ++i) out[i] = sum + v[i] * wide; level *= 3.0f;", true},
-        {"either", "for (int i = k; i < n; ++i) sum += level * w[i]; if (sum > v[col] * wide) out[n] = 3.0f;",
-         "for (int i = k; i < n; ++i) sum += level * w[i];\n#ifdef AS_ONE\nif (level > v[col] * wide) out[n] = "
-         "3.0f;\n#else\nif (sum > v[col] * wide) out[n] = 3.0f;\n#endif\n",
-         false},
+        {"either",
+         "for (int i = k; i < n; ++i) out[k] += level * w[i]; if (level > w[n] * wide + out[k]) row[col] = 3;",
+         "for (int i = k; i < n; ++i) out[k] += level * w[i];\n#ifdef AS_ONE\nif (open && level > w[n] * wide * "
+         "v[step]) "
+         "row[col] = 3;\n#else\nif (level > w[n] * wide + out[k]) row[col] = 3;\n#endif\n",
+         false, "for (int i = k; i < n; ++i) out[k] += level * w[i]; if (level > out[k] + x[0]) row[col] = 3;"},
         {"both", "\n#ifdef ONE_BY_ONE\nsum += level * w[k];\n#else\nsum += wide * w[k];\n#endif\nlevel *= 3.0f;",
          "\n#ifdef ONE_BY_ONE\nif (open && v[col] < 2.0f) sum += level * w[k];\n#else\nif (open && v[col] < 2.0f) sum "
          "+= wide * w[k];\n#endif\nlevel *= 3.0f;",
@@ -531,11 +533,6 @@ TEST_F(HandMadeAudit, EditsThatEachSideMakesInItsOwnWay) {
         {"start", "Turn turn; turn.around(level); sum += turn.of(w[k]); level *= 3.0f;",
          "Turn turn; turn.first = float3(1.0f, 0.0f, 0.0f); turn.around(level); sum += turn.of(w[k]); level *= 3.0f;",
          false, "RotationMatrix turn; turn.around(level); sum += turn.of(w[k]); level *= 3.0f;"},
-        {"places", "const int z = n / (k * col), y = n / k % col; sum += w[z] * v[y]; level *= 3.0f;",
-         "const size_t area = (size_t)k * col; const int z = n / area; const int y = n / k % col; sum += w[z] * v[y]; "
-         "level "
-         "*= 3.0f;",
-         false, "for (int z = 0; z < col; ++z) for (int y = 0; y < k; ++y) sum += w[z] * v[y]; level *= 3.0f;"},
     };
     expect_items(all);
 }
