@@ -155,7 +155,7 @@ private:
 
     /// True if the edits are one in the words that the pair itself teaches, and in functions for the other's methods.
     bool alike_in_words_of_pair(const PairTexts& texts, const BySide<Language>& languages) const {
-        const LearnedWords said = in_words_of_target(texts, dialect_);
+        const LearnedWords said = in_words_of_target(texts, dialect_, {pair_.source.id, pair_.target.id});
         const PairTexts learned{said.before, said.now, texts.target_before, texts.target_now};
         if (said.any && compare_edits(learned, dialect_, languages).equivalent) return true;
         CalledForms of_source, of_target;

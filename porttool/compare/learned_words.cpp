@@ -11,6 +11,7 @@
 #include "porttool/language/words.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/normal_form.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -20,9 +21,41 @@ bool is_unmarked_real(std::string_view number) {
     return !number.starts_with("0x") && number.find_first_of(".e") != std::string_view::npos && !is_float(number);
 }
 
+/// The words that a name, or an id, is made of, with what stands between them: `get`, `Cuda`, `_`, `FFT` and `Plan` of
+/// `getCuda_FFTPlan`.
+std::vector<std::string> parts_of_name(std::string_view name) {
+    const auto is_capital = [&](size_t i) { return i < name.size() && name[i] >= 'A' && name[i] <= 'Z'; };
+    const auto is_small = [&](size_t i) { return i < name.size() && name[i] >= 'a' && name[i] <= 'z'; };
+    std::vector<std::string> out;
+    bool goes_on = false;
+    for (size_t i = 0; i < name.size(); ++i) {
+        const bool is_letter = is_word_token(name.substr(i, 1)) && name[i] != '_';
+        const bool is_part = is_letter || is_number_token(name.substr(i, 1));
+        const bool starts = is_capital(i) && i > 0 && (is_small(i - 1) || is_small(i + 1));
+        if (!goes_on || !is_part || starts) out.emplace_back();
+        out.back() += name[i];
+        goes_on = is_part;
+    }
+    return out;
+}
+
+std::string spelled_small(std::string_view word) {
+    std::string out;
+    for (const char c : word) out += small_letter(c);
+    return out;
+}
+std::string spelled_capitals(std::string_view word) {
+    std::string out;
+    for (const char c : word) out += capital_letter(c);
+    return out;
+}
+std::string spelled_first_capital(std::string_view word) {
+    return spelled_capitals(word.substr(0, 1)) + spelled_small(word.substr(1));
+}
+
 class WordLearner {
 public:
-    WordLearner(const PairTexts& texts, const Dialect& dialect) : texts_(texts) {
+    WordLearner(const PairTexts& texts, const Dialect& dialect, const BySide<std::string_view>& ids) : texts_(texts) {
         const std::vector<std::string> source(texts.source_before.begin(), texts.source_before.end());
         const std::vector<std::string> target(texts.target_before.begin(), texts.target_before.end());
         WordKeys keys(dialect);
@@ -44,6 +77,7 @@ public:
         target_words_.insert(texts.target_before.begin(), texts.target_before.end());
         new_words_.insert(texts.target_now.begin(), texts.target_now.end());
         learn_parts();
+        learn_parts_of_ids(ids);
     }
 
     LearnedWords run() const {
@@ -148,34 +182,55 @@ private:
         }
     }
 
-    /// The one part between underscores in which two names differ, on each side.
+    /// The one part in which two names differ, on each side.
     static std::pair<std::string, std::string> other_part(const std::string& a, const std::string& b) {
-        const size_t most = std::min(a.size(), b.size());
-        size_t front = 0, back = 0;
-        while (front < most && a[front] == b[front]) ++front;
-        while (front > 0 && a[front - 1] != '_') --front;
-        while (back < most - front && a[a.size() - 1 - back] == b[b.size() - 1 - back]) ++back;
-        while (back > 0 && a[a.size() - back] != '_') --back;
-        const std::string part = a.substr(front, a.size() - back - front),
-                          other = b.substr(front, b.size() - back - front);
-        const bool whole = front + back == 0 || part.empty() || other.empty() || part == other;
-        return whole || (part + other).find('_') != std::string::npos ? std::pair<std::string, std::string>()
-                                                                      : std::pair(part, other);
+        const std::vector<std::string> here = parts_of_name(a), there = parts_of_name(b);
+        if (here.size() != there.size() || here.size() < 2) return {};
+        std::pair<std::string, std::string> out;
+        for (size_t i = 0; i < here.size(); ++i) {
+            if (here[i] == there[i]) continue;
+            if (!out.first.empty() || here[i] == "_" || there[i] == "_") return {};
+            out = {here[i], there[i]};
+        }
+        return out;
+    }
+
+    /// How the ids of a pair call the two sides: words that took each other's place, in each way to spell them.
+    void learn_parts_of_ids(const BySide<std::string_view>& ids) {
+        constexpr size_t kLeast = 3;  // letters
+        const auto words_of = [](std::string_view id) {
+            std::vector<std::string> parts = parts_of_name(id);
+            std::erase_if(parts, [](const std::string& part) { return part == "_" || !is_word_token(part); });
+            return parts;
+        };
+        const std::vector<std::string> source = words_of(ids.source), target = words_of(ids.target);
+        std::vector<std::string> lost, gained;
+        const auto end_of_place = [&] {
+            for (size_t i = 0; lost.size() == gained.size() && i < lost.size(); ++i)
+                if (lost[i].size() >= kLeast && gained[i].size() >= kLeast)
+                    for (const auto spelled : {spelled_small, spelled_first_capital, spelled_capitals})
+                        parts_.emplace(spelled(lost[i]), spelled(gained[i]));
+            lost.clear();
+            gained.clear();
+        };
+        for (const DiffStep& step : diff(source, target)) {
+            if (step.kind == DiffStep::Keep) end_of_place();
+            if (step.kind == DiffStep::Remove) lost.push_back(source[step.before]);
+            if (step.kind == DiffStep::Add) gained.push_back(target[step.now]);
+        }
+        end_of_place();
     }
 
     /// A name that is new on both sides, spelled as the target spells such names; "" if the target has no such name.
     std::string new_counterpart(const std::string& word) const {
         if (parts_.empty() || source_words_.contains(word) || target_words_.contains(word)) return {};
-        for (size_t first = 0; first < word.size();) {
-            const size_t end = std::min(word.find('_', first), word.size());
-            if (const auto found = parts_.find(word.substr(first, end - first)); found != parts_.end()) {
-                std::string there = word.substr(0, first) + found->second + word.substr(end);
-                const bool is_new = !target_words_.contains(there) && !source_words_.contains(there);
-                if (is_new && new_words_.contains(there)) return there;
-            }
-            first = end + 1;
+        std::string there;
+        for (const std::string& part : parts_of_name(word)) {
+            const auto found = parts_.find(part);
+            there += found == parts_.end() ? part : found->second;
         }
-        return {};
+        const bool is_new = there != word && !target_words_.contains(there) && !source_words_.contains(there);
+        return is_new && new_words_.contains(there) ? there : std::string();
     }
 
     /// A port that says `double` here and there says `REAL` for most of the source's: what is new is `REAL` there.
@@ -204,8 +259,8 @@ private:
 
 }  // namespace
 
-LearnedWords in_words_of_target(const PairTexts& texts, const Dialect& dialect) {
-    return WordLearner(texts, dialect).run();
+LearnedWords in_words_of_target(const PairTexts& texts, const Dialect& dialect, const BySide<std::string_view>& ids) {
+    return WordLearner(texts, dialect, ids).run();
 }
 
 }  // namespace porttool

@@ -7,9 +7,12 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "porttool/compare/side_by_side.h"
 #include "porttool/compare/side_edit.h"
+#include "porttool/normal/diff.h"
 #include "porttool/normal/statements.h"
 
 namespace porttool {
@@ -35,6 +38,7 @@ struct Distance {
     size_t unlike;                                ///< names, numbers and operators of both
     BySide<std::map<std::string, size_t>> alone;  ///< numbers and operators that have no like in the other text
     std::set<size_t> covered;                     ///< the target's words that have their like in the source
+    BySide<std::vector<size_t>> misplaced;        ///< what stands where another word should
 
     Distance(const std::vector<std::string>& source, const std::vector<std::string>& target, const Dialect& dialect) {
         WordKeys keys(dialect);
@@ -42,6 +46,7 @@ struct Distance {
         const SideBySide laid(source, target, a, b);
         unlike = laid.unlike();
         covered = laid.covered();
+        misplaced = laid.misplaced();
         alone = {in_common(laid.alone(), dialect), in_common(laid.alone_there(), dialect)};
     }
 };
@@ -125,6 +130,22 @@ bool names_arrive(const SideEdit& edit, const SideEdit& other) {
     return 4 * lone <= edit.new_names.size();
 }
 
+/// The words that an edit brought, by their places in the text now.
+std::vector<bool> places_gained(const SideEdit& edit) {
+    std::vector<bool> out(edit.now.size());
+    for (const DiffStep& step : diff(edit.before, edit.now))
+        if (step.kind == DiffStep::Add) out[step.now] = true;
+    return out;
+}
+
+/// True if an edit brought a number, an operator or a name of both sides to a place where the other side has another:
+/// so a wrong port looks.
+bool brings_wrong_word(const SideEdit& edit, const std::vector<size_t>& misplaced) {
+    if (misplaced.empty()) return false;
+    const std::vector<bool> gained = places_gained(edit);
+    return std::any_of(misplaced.begin(), misplaced.end(), [&](size_t i) { return gained[i]; });
+}
+
 /// Asked first, since laying texts side by side is dear: false if a number or an operator came more often than the
 /// other side has it.
 bool may_arrive(const SideEdit& edit, const SideEdit& other) {
@@ -149,6 +170,8 @@ bool edits_in_own_words(const PairTexts& texts, const Dialect& dialect) {
     if (kTwins * then.unlike < words_of(source.had) + words_of(target.had)) return false;
     constexpr size_t kFree = 2, kShare = 8;  // words that may differ now, and one in so many of both edits
     if (today.unlike > then.unlike + kFree + (source.size + target.size) / kShare) return false;
+    if (brings_wrong_word(source, today.misplaced.source) || brings_wrong_word(target, today.misplaced.target))
+        return false;
     const Way way{then, today};
     return signs_follow(source, target, Side::Source, way) && signs_follow(target, source, Side::Target, way);
 }

@@ -8,7 +8,8 @@
 namespace porttool {
 
 /// True if edits of both sides are for the most part one, each in the words of its side: the two texts are about as
-/// much alike as before, no number, operator or name came or went on one side alone. Less sure than compare_edits(),
+/// much alike as before, no number, operator or name came or went on one side alone, and none that came stands where the
+/// other side has another, but for words of one side's own. Less sure than compare_edits(),
 /// which holds statement against statement.
 ///
 ///                 source                              port

@@ -97,25 +97,51 @@ double likeness(const Numbers& a, const Numbers& b) {
     return words == 0 ? 1.0 : 2.0 * static_cast<double>(common_words(a, b)) / static_cast<double>(words);
 }
 
-/// True if the edits are to statements that stand for each other: no other statement of the target's old text is more
-/// like what the source's edit took away. Else the same words were changed in another place.
+/// Whether statements of two texts are the most alike ones, as far as there is time to compare them.
+class MostAlike {
+public:
+    MostAlike(const std::vector<Statement>& source, const std::vector<Statement>& target) {
+        for (const Statement& statement : source) here_.push_back(numbers_.of(statement));
+        for (const Statement& statement : target) there_.push_back(numbers_.of(statement));
+    }
+
+    bool are(size_t source, size_t target) {
+        const Numbers &here = here_[source], &there = there_[target];
+        if (here == there) return true;
+        double found = 0;
+        if (!compare(here, there, found)) return false;
+        return none_is_liker(here, there_, found) && none_is_liker(there, here_, found);
+    }
+
+private:
+    bool compare(const Numbers& a, const Numbers& b, double& found) {
+        constexpr size_t kMostCells = 200'000'000;  // beyond, a person is asked
+        if ((cells_ += a.size() * b.size()) > kMostCells) return false;
+        found = likeness(a, b);
+        return true;
+    }
+
+    bool none_is_liker(const Numbers& statement, const std::vector<Numbers>& others, double than) {
+        return std::all_of(others.begin(), others.end(), [&](const Numbers& one) {
+            double found = 0;
+            return compare(statement, one, found) && found <= than;
+        });
+    }
+
+    WordNumbers numbers_;
+    std::vector<Numbers> here_, there_;
+    uint64_t cells_ = 0;
+};
+
+/// True if the edits are to statements that stand for each other: no other statement of either old text is more like
+/// what the other side's edit took away. Else the same words were changed in another place.
 bool same_statements(const StatementEdit& source, const StatementEdit& target) {
     if (source.lost.size() != target.lost.size() || source.gained.size() != target.gained.size()) return false;
-    constexpr size_t kMostComparisons = 100'000, kMostCells = 200'000'000;  // beyond, a person is asked
-    if (source.lost.size() * target.before.size() > kMostComparisons) return false;
-    WordNumbers numbers;
-    std::vector<Numbers> there;
-    for (const Statement& statement : target.before) there.push_back(numbers.of(statement));
-    uint64_t cells = 0;
-    for (size_t k = 0; k < source.lost.size(); ++k) {
-        const Numbers here = numbers.of(source.before[source.lost[k]]);
-        const Numbers& stands = there[target.lost[k]];
-        if ((cells += here.size() * stands.size()) > kMostCells) return false;
-        const double found = here == stands ? 1 : likeness(here, stands);
-        for (size_t i = 0; i < there.size() && found < 1; ++i) {
-            if ((cells += here.size() * there[i].size()) > kMostCells || likeness(here, there[i]) > found) return false;
-        }
-    }
+    constexpr size_t kMostComparisons = 100'000;
+    if (source.lost.size() * (source.before.size() + target.before.size()) > kMostComparisons) return false;
+    MostAlike most(source.before, target.before);
+    for (size_t k = 0; k < source.lost.size(); ++k)
+        if (!most.are(source.lost[k], target.lost[k])) return false;
     return true;
 }
 

@@ -23,11 +23,17 @@ Words keys_of(const std::vector<Statement>& statements) {
     return out;
 }
 
-/// Which statements of both texts have their like in the other, in the same order.
-BySide<std::vector<bool>> alike(const std::vector<Statement>& source, const std::vector<Statement>& target) {
-    BySide<std::vector<bool>> out{std::vector<bool>(source.size()), std::vector<bool>(target.size())};
-    for (const DiffStep& step : diff(keys_of(source), keys_of(target)))
-        if (step.kind == DiffStep::Keep) out.source[step.before] = out.target[step.now] = true;
+constexpr size_t kNoLike = static_cast<size_t>(-1);
+
+/// For each statement of both texts its like in the other, in the same order, or kNoLike.
+BySide<std::vector<size_t>> alike(const std::vector<Statement>& source, const std::vector<Statement>& target) {
+    BySide<std::vector<size_t>> out{std::vector<size_t>(source.size(), kNoLike),
+                                    std::vector<size_t>(target.size(), kNoLike)};
+    for (const DiffStep& step : diff(keys_of(source), keys_of(target))) {
+        if (step.kind != DiffStep::Keep) continue;
+        out.source[step.before] = step.now;
+        out.target[step.now] = step.before;
+    }
     return out;
 }
 
@@ -58,7 +64,11 @@ public:
           then_(alike(edits_.source.before, edits_.target.before)),
           today_(alike(edits_.source.now, edits_.target.now)) {}
 
-    bool run() const { return is_settled(Side::Source) && is_settled(Side::Target) && own_words_went_together(); }
+    bool run() const {
+        return is_settled(Side::Source) && is_settled(Side::Target) &&
+               (own_words_went_together() ||
+                (own_words_stood_alone(Side::Source) && own_words_stood_alone(Side::Target)));
+    }
 
 private:
     Translator translator(Side side) const {
@@ -70,11 +80,12 @@ private:
     bool is_settled(Side side) const {
         const StatementEdit& edit = edits_[side];
         if (edit.gained.empty() && edit.lost.empty()) return false;
-        if (!std::all_of(edit.gained.begin(), edit.gained.end(), [&](size_t i) { return today_[side][i]; }))
+        if (!std::all_of(edit.gained.begin(), edit.gained.end(), [&](size_t i) { return today_[side][i] != kNoLike; }))
             return false;
         const std::vector<size_t> kept = edit.kept();
         for (size_t i = 0; i < kept.size(); ++i)
-            if (kept[i] != StatementEdit::kGone && then_[side][i] && !today_[side][kept[i]]) return false;
+            if (kept[i] != StatementEdit::kGone && then_[side][i] != kNoLike && today_[side][kept[i]] == kNoLike)
+                return false;
         return true;
     }
 
@@ -82,7 +93,7 @@ private:
     std::vector<const Statement*> own_words(Side side) const {
         std::vector<const Statement*> out;
         for (const size_t i : edits_[side].lost)
-            if (!then_[side][i] && !edits_[side].before[i].is_brace()) out.push_back(&edits_[side].before[i]);
+            if (then_[side][i] == kNoLike && !edits_[side].before[i].is_brace()) out.push_back(&edits_[side].before[i]);
         return out;
     }
 
@@ -92,9 +103,33 @@ private:
                           [](const Statement* a, const Statement* b) { return are_akin(*a, *b); });
     }
 
+    /// Where what went in own words stood the other side had nothing, or nothing that is still there: it was no port of
+    /// anything.
+    bool own_words_stood_alone(Side side) const {
+        const std::vector<Statement>& there = edits_[other(side)].before;
+        const std::vector<size_t> kept = edits_[other(side)].kept();
+        for (const size_t i : edits_[side].lost) {
+            if (then_[side][i] != kNoLike || edits_[side].before[i].is_brace()) continue;
+            size_t first = 0, end = there.size();
+            for (size_t k = i; k-- > 0;)
+                if (then_[side][k] != kNoLike) {
+                    first = then_[side][k] + 1;
+                    break;
+                }
+            for (size_t k = i + 1; k < then_[side].size(); ++k)
+                if (then_[side][k] != kNoLike) {
+                    end = then_[side][k];
+                    break;
+                }
+            for (size_t k = first; k < end; ++k)
+                if (!there[k].is_brace() && kept[k] != StatementEdit::kGone) return false;
+        }
+        return true;
+    }
+
     Meaning meaning_;
     BySide<StatementEdit> edits_;
-    BySide<std::vector<bool>> then_, today_;
+    BySide<std::vector<size_t>> then_, today_;
 };
 
 }  // namespace

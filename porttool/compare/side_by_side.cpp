@@ -84,6 +84,36 @@ std::map<std::string_view, size_t> SideBySide::alone_there() const {
     return out;
 }
 
+BySide<std::vector<size_t>> SideBySide::misplaced() const {
+    std::set<std::string_view> known_here(there_.begin(), there_.end()), known_there(here_.begin(), here_.end());
+    for (size_t i = 0; i < here_.size(); ++i) {
+        if (!alike_[i]) continue;
+        known_here.insert(here_[i]);
+        known_there.insert(there_[laid_.word_of[i]]);
+    }
+    const auto is_known = [](const Text& text, size_t i, size_t end_of_head, const auto& known) {
+        const std::string_view word = text[i];
+        if (!is_word_token(word)) return is_number_token(word) || is_operator(text, i, end_of_head);
+        return !is_type_word(word) && known.contains(word);
+    };
+    std::vector<bool> wrong_here(here_.size()), wrong_there(there_.size());
+    const std::set<size_t> has_like = covered();
+    for (size_t k = 0; k < there_.size(); ++k)
+        wrong_there[k] = !has_like.contains(k) && is_known(there_, k, other_head_, known_there);
+    for (size_t i = 0; i < here_.size(); ++i) {
+        wrong_here[i] = !alike_[i] && is_known(here_, i, head_, known_here);
+        const size_t k = laid_.word_of[i];
+        if (alike_[i] || k == Alignment::kNone || !is_word_token(here_[i]) || !is_word_token(there_[k])) continue;
+        wrong_here[i] = wrong_there[k] = wrong_here[i] || wrong_there[k];  // one of the two is
+    }
+    BySide<std::vector<size_t>> out;
+    for (size_t i = 0; i < here_.size(); ++i)
+        if (wrong_here[i]) out.source.push_back(i);
+    for (size_t k = 0; k < there_.size(); ++k)
+        if (wrong_there[k]) out.target.push_back(k);
+    return out;
+}
+
 std::set<size_t> SideBySide::covered() const {
     std::set<size_t> out;
     for (size_t i = 0; i < here_.size(); ++i)

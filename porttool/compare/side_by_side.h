@@ -11,6 +11,7 @@
 
 #include "porttool/compare/alignment.h"
 #include "porttool/normal/normal_text.h"
+#include "porttool/scan/side.h"
 
 namespace porttool {
 
@@ -48,6 +49,13 @@ public:
 
     /// True if its whole clause has one there that is mostly the same: words that many statements have say little.
     bool has_like_clause(size_t i) const { return alike_[i] && in_like_clause_[i]; }
+
+    /// Names without their like at their place that have it elsewhere, or are names of both texts: these are not words
+    /// of one side's own, but in the wrong place. The places here, and there.
+    ///
+    ///     here      launch(n, lim); y = lim;
+    ///     there     launch(n, y);   y = lim;         `lim`, and `y` there
+    BySide<std::vector<size_t>> misplaced() const;
 
     /// The words of the other text that have their like here.
     std::set<size_t> covered() const;

@@ -20,7 +20,10 @@ std::vector<std::string_view> words_of(std::string_view text) {
     std::vector<std::string_view> out;
     for (size_t i = 0; i < text.size();) {
         size_t end = i;
-        while (end < text.size() && (is_word_token(text.substr(end, 1)) || is_number_token(text.substr(end, 1)))) ++end;
+        const bool is_number = is_number_token(text.substr(i, 2));
+        while (end < text.size() && (is_word_token(text.substr(end, 1)) || is_number_token(text.substr(end, 1)) ||
+                                     (is_number && text[end] == '.')))
+            ++end;
         if (end == i) ++end;
         if (text[i] != ' ') out.push_back(text.substr(i, end - i));
         i = end;
@@ -62,6 +65,68 @@ std::string_view first_item_beyond(const WordList& shorter, const WordList& long
     while (i + 1 < longer.size() && longer[i + 1] != "," && longer[i + 1] != ")") ++i;
     return i < longer.size() && is_word_token(longer[i]) ? longer[i] : std::string_view();
 }
+
+/// Cuts an edit, as the words that went and that came, into its spots.
+class SpotReader {
+public:
+    SpotReader(const WordList& went, const WordList& came) : went_(went), came_(came) {}
+
+    std::set<EditSpot> run() {
+        for (const DiffStep& step : diff(went_, came_)) {
+            if (step.kind == DiffStep::Keep)
+                end_spot(step.before);
+            else if (step.kind == DiffStep::Remove)
+                lost_.push_back(went_[step.before]);
+            else
+                gained_.push_back(came_[step.now]);
+        }
+        end_spot(went_.size());
+        return std::move(out_);
+    }
+
+private:
+    static bool counts(std::string_view word) { return word == "#" || is_word_token(word) || is_number_token(word); }
+
+    static bool is_in(const WordList& words, std::string_view word) {
+        return std::find(words.begin(), words.end(), word) != words.end();
+    }
+
+    /// `f > g` where `(` follows, which stayed, and `f` is gone and `g` is new throughout.
+    bool is_of_call(size_t next) const {
+        const bool is_exchange = lost_.size() == 1 && gained_.size() == 1 && is_word_token(lost_[0]) &&
+                                 is_word_token(gained_[0]) && !word_is(lost_[0], kKeyword) &&
+                                 !word_is(gained_[0], kKeyword);
+        return is_exchange && next < went_.size() && went_[next] == "(" && !is_in(came_, lost_[0]) &&
+               !is_in(went_, gained_[0]);
+    }
+
+    void end_spot(size_t next) {
+        if (lost_.empty() && gained_.empty()) return;
+        EditSpot spot;
+        for (const std::string_view word : lost_) (spot.text += word) += ' ';
+        spot.text += '>';
+        for (const std::string_view word : gained_) (spot.text += ' ') += word;
+        for (const WordList* words : {&lost_, &gained_})
+            spot.words += static_cast<size_t>(std::count_if(words->begin(), words->end(), counts));
+        spot.of_call = is_of_call(next);
+        const auto known = out_.insert(std::move(spot));
+        if (!known.second && !is_of_call(next)) forget_call(known.first);
+        lost_.clear();
+        gained_.clear();
+    }
+
+    /// The same words beside others are no call's name.
+    void forget_call(std::set<EditSpot>::iterator known) {
+        EditSpot spot = *known;
+        spot.of_call = false;
+        out_.erase(known);
+        out_.insert(std::move(spot));
+    }
+
+    const WordList &went_, &came_;
+    WordList lost_, gained_;
+    std::set<EditSpot> out_;
+};
 
 }  // namespace
 
@@ -135,6 +200,19 @@ std::string handed_on(const std::vector<std::string>& lines) {
         if (has(shorter[i]) || !has(longer[i]) || without_item(longer[i], name) != shorter[i]) return {};
     }
     return (is_new ? "+ " : "- ") + std::string(name);
+}
+
+std::set<EditSpot> spots_of(const std::vector<std::string>& lines) {
+    constexpr size_t kMostWords = 4'000;
+    WordList went, came;
+    for (const std::string_view line : lines) {
+        if (line.size() < 2 || (line[0] != '-' && line[0] != '+')) continue;
+        WordList& side = line[0] == '-' ? went : came;
+        for (const std::string_view word : words_of(line.substr(1))) side.push_back(word);
+        side.push_back(";");
+    }
+    if (went.size() + came.size() > kMostWords) return {};
+    return SpotReader(went, came).run();
 }
 
 }  // namespace porttool

@@ -3,6 +3,8 @@
 // What an edit looks like, told by the statements that a finding shows of it, each behind `-` or `+`.
 #pragma once
 
+#include <compare>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,5 +31,23 @@ std::string types_exchanged(const std::vector<std::string>& lines);
 ///     - void @(Args * args)        + void @(Args * args, State * state)
 ///     - march(args)                + march(args, state)                         "+ state"
 std::string handed_on(const std::vector<std::string>& lines);
+
+/// What an edit did at one spot: the words that went there and those that came.
+struct EditSpot {
+    std::string text;      ///< `get_int > get_int_b2`
+    size_t words = 0;      ///< names, numbers and `#`
+    bool of_call = false;  ///< one function is called in the place of another, of the same arguments
+
+    auto operator<=>(const EditSpot& other) const { return text <=> other.text; }
+    bool operator==(const EditSpot& other) const { return text == other.text; }
+};
+
+/// The spots of an edit, each once; none of an edit that is too long to be told apart.
+///
+///     - v = get_int(b->qs, i)           `get_int > get_int_b2`
+///     - # if ARCH >= 61 int sum = 0     `# if ARCH > = 61 >`
+///     + v = get_int_b2(b->qs, i)
+///     + int sum = 0
+std::set<EditSpot> spots_of(const std::vector<std::string>& lines);
 
 }  // namespace porttool

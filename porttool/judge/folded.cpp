@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -168,6 +170,84 @@ std::map<std::string, std::vector<Finding*>> by_new_class(const std::vector<Find
     return out;
 }
 
+/// Edits of several units that do nothing but what others of them do as well: a function that has got another name, a
+/// branch for the compiler that is gone everywhere. What is told with another shows there, spot by spot.
+class CommonEdits {
+public:
+    explicit CommonEdits(const std::vector<Finding*>& loud) {
+        for (Finding* finding : loud) {
+            if (finding->level <= Level::Note || !is_edit_of_a_side(*finding)) continue;
+            std::set<EditSpot> spots = spots_of(finding->details);
+            if (spots.empty()) continue;
+            for (const EditSpot& spot : spots) units_[place_of(*finding) + spot.text].insert(subject_of(*finding));
+            edits_.push_back({finding, std::move(spots)});
+        }
+    }
+
+    /// The findings that are told with one, by that one.
+    std::map<Finding*, std::vector<Finding*>> run() {
+        std::erase_if(edits_, [&](const Edit& edit) { return !is_common(edit); });
+        std::stable_sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) {
+            return std::pair(a.finding->level, a.spots.size()) > std::pair(b.finding->level, b.spots.size());
+        });
+        std::map<Finding*, std::vector<Finding*>> out;
+        std::map<std::string, std::vector<const Edit*>> told;  // those that tell, by each of their spots
+        for (const Edit& edit : edits_) {
+            const std::string place = place_of(*edit.finding);
+            std::vector<const Edit*>& candidates = told[place + edit.spots.begin()->text];
+            const auto tells = [&](const Edit* other) {
+                return std::includes(other->spots.begin(), other->spots.end(), edit.spots.begin(), edit.spots.end());
+            };
+            if (const auto found = std::find_if(candidates.begin(), candidates.end(), tells);
+                found != candidates.end()) {
+                out[(*found)->finding].push_back(edit.finding);
+                continue;
+            }
+            for (const EditSpot& spot : edit.spots) told[place + spot.text].push_back(&edit);
+        }
+        return out;
+    }
+
+private:
+    struct Edit {
+        Finding* finding;
+        std::set<EditSpot> spots;
+    };
+
+    static std::string place_of(const Finding& finding) {
+        return std::string(rule_name(finding.rule)) + "\n" + finding.target_set + "\n";
+    }
+
+    /// True if each of its spots is one of several units: of more than a few words, or a call that goes to another
+    /// function in more of them than a slip would.
+    bool is_common(const Edit& edit) const {
+        constexpr size_t kLong = 4, kSeveral = 3, kMany = 5;
+        return std::all_of(edit.spots.begin(), edit.spots.end(), [&](const EditSpot& spot) {
+            const size_t units = units_.at(place_of(*edit.finding) + spot.text).size();
+            return spot.words >= kLong ? units >= kSeveral : spot.of_call && units >= kMany;
+        });
+    }
+
+    std::vector<Edit> edits_;
+    std::map<std::string, std::set<std::string>> units_;  ///< that have a spot in their edit
+};
+
+/// The first says what the others are and lists them; they become notes that name it.
+void tell_with(Finding& first, std::span<Finding* const> others, const std::string& what_they_are) {
+    first.message += fmt::format("; {} {}:", others.size(), what_they_are);
+    constexpr size_t kShown = 3;
+    for (size_t i = 0; i < others.size(); ++i) {
+        Finding& other = *others[i];
+        const bool other_port = subject_of(other) == subject_of(first) && !other.map_target.empty();
+        const std::string& id = other_port ? other.map_target : subject_of(other);
+        if (i < kShown) first.message += (i > 0 ? ", " : " ") + named_briefly(id, other);
+        first.details.push_back("also: " + named_briefly(id, other));
+        other.level = Level::Note;
+        other.message += "; told with " + named_briefly(subject_of(first), first);
+    }
+    if (others.size() > kShown) first.message += " ...";
+}
+
 }  // namespace
 
 void fold_findings(FindingList& findings, const MapFile& map) {
@@ -193,20 +273,10 @@ void fold_findings(FindingList& findings, const MapFile& map) {
         if (group.size() < least_told_once(group)) continue;
         std::stable_sort(group.begin(), group.end(),
                          [](const Finding* a, const Finding* b) { return a->level > b->level; });
-        Finding& first = *group.front();
-        first.message += fmt::format("; {} {}:", group.size() - 1, what_others_are(first));
-        constexpr size_t kShown = 3;
-        for (size_t i = 1; i < group.size(); ++i) {
-            Finding& other = *group[i];
-            const bool other_port = subject_of(other) == subject_of(first) && !other.map_target.empty();
-            const std::string& id = other_port ? other.map_target : subject_of(other);
-            if (i <= kShown) first.message += (i > 1 ? ", " : " ") + named_briefly(id, other);
-            first.details.push_back("also: " + named_briefly(id, other));
-            other.level = Level::Note;
-            other.message += "; told with " + named_briefly(subject_of(first), first);
-        }
-        if (group.size() > kShown + 1) first.message += " ...";
+        tell_with(*group.front(), std::span(group).subspan(1), what_others_are(*group.front()));
     }
+    for (const auto& [first, others] : CommonEdits(loud).run())
+        tell_with(*first, others, "more pairs have nothing but parts of the same edit");
 }
 
 void ease_orphans(FindingList& findings, const std::vector<JudgedPair>& pairs) {

@@ -12,10 +12,11 @@ namespace porttool {
 /// Tells findings of one cause once: the first of the worst says it and lists the others, which become notes that name
 /// it. One cause are an edit of one unit that several pairs have; one edit of more than a word or two that was made in
 /// several units; heads of many functions that take one type in the place of another; what several functions take or
-/// hand on and did not before; parts of several units that were put into branches for the compiler; new units of one
-/// file that look like some of the other side; the methods of a new class; units of one file that are gone, or of a
-/// family whose counterparts have one name; macros that several unedited texts use. What a person settled, and rules
-/// whose level the map sets, are left alone. The pairs stand as they stood.
+/// hand on and did not before; parts of several units that were put into branches for the compiler; edits that do
+/// nothing but what one of them does as well, where each of their spots is one of several units; new units of one file
+/// that look like some of the other side; the methods of a new class; units of one file that are gone, or of a family
+/// whose counterparts have one name; macros that several unedited texts use. What a person settled, and rules whose
+/// level the map sets, are left alone. The pairs stand as they stood.
 ///
 ///     s/disney.cl:1: error: new function Albedo looks like t/disney.cpp:Albedo (1.00): ...; 2 more new units ...
 ///     s/disney.cl:9: note: new function Pdf looks like ...; told with s/disney.cl:Albedo

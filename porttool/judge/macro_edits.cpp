@@ -119,8 +119,8 @@ bool MacroEdits::is_told_by_edit(const JudgedPair& pair, const Finding& of_macro
     for (size_t i = all.size(); i-- > 0;) {
         const Finding& finding = all[i];
         if (finding.map_source != pair.id.source || finding.map_target != pair.id.target) return false;
-        if (finding.rule == of_macros.rule && finding.change && is_open(finding) && finding.level >= of_macros.level)
-            return true;
+        const bool of_text = finding.rule == of_macros.rule || finding.rule == Rule::PortDiffers;
+        if (of_text && finding.change && is_open(finding) && finding.level >= of_macros.level) return true;
     }
     return false;
 }

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
+#include "porttool/compare/alike_spots.h"
 #include "porttool/compare/asides.h"
 #include "porttool/compare/common_ground.h"
+#include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
 #include "porttool/compare/named_parts.h"
 #include "porttool/compare/own_fields.h"
@@ -402,13 +404,18 @@ void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& be
         without_asides(then.target) == without_asides(now.target))
         return weaken(pair, finding, Level::Note, "both only change what is printed, checked or timed");
     const auto language = [&](Side side) { return language_of_path(pair.unit[side]->file); };
+    const BySide<Language> languages{language(Side::Source), language(Side::Target)};
+    const LearnedWords said = in_words_of_target(texts, dialect_, {pair.id.source, pair.id.target});
+    const PairTexts learned{said.before, said.now, texts.target_before, texts.target_now};
     if (only_adds_labels_of_other(then.source, now.source, now.target) &&
         only_adds_labels_of_other(then.target, now.target, now.source))
         weaken(pair, finding, Level::Note, "the same labels joined an arm on both sides");
+    else if (is_declared_alike && (edits_spot_by_spot(texts, dialect_) || edits_spot_by_spot(learned, dialect_)))
+        weaken(pair, finding, Level::Note, "word for word the same came and went, at the same places");
     else if (edits_in_own_words(texts, dialect_))
         weaken(pair, finding, Level::Note, "each side says for the most part what the other does");
-    else if (is_declared_alike &&
-             edits_leave_no_difference(texts, dialect_, {language(Side::Source), language(Side::Target)}))
+    else if (is_declared_alike && (edits_leave_no_difference(texts, dialect_, languages) ||
+                                   edits_leave_no_difference(learned, dialect_, languages)))
         weaken(pair, finding, Level::Note, "what came is the same, and what each had in its own words is gone");
 }
 

@@ -618,6 +618,62 @@ TEST(QuietGate, TheMethodsOfANewClassAreToldWithIt) {
               (Loud{"unported s/k.cu:Pool", "unported s/k.cu:spare"}));
 }
 
+TEST(QuietGate, WhatManyUnitsDoAlikeIsToldOnce) {
+    constexpr int kUnits = 5;
+    struct Change {
+        std::string load = "load_bytes", first, last, term = "3";
+    };
+    const auto file = [](const std::vector<Change>& changes) {
+        std::string out;
+        for (int i = 0; i < kUnits; ++i) {
+            const Change& change = changes[static_cast<size_t>(i)];
+            const std::string name = "f" + std::to_string(i), own = "x" + std::to_string(i);
+            out += "int " + name + "(const int* q, int " + own + ") {\n" + change.first + "  int s = " + change.load +
+                   "(q, " + own + " + " + std::to_string(i) + ");\n  s += " + own + " * " + change.term + ";\n" +
+                   change.last + "  return s;\n}\n";
+        }
+        return out;
+    };
+    std::vector<std::string> pairs;
+    for (int i = 0; i < kUnits; ++i) pairs.push_back("s/k.cu:f" + std::to_string(i) + "=t/k.cpp:f" + std::to_string(i));
+    const std::string was = file(std::vector<Change>(kUnits));
+    const auto count = [&](const std::vector<Change>& changes) {
+        return loud({{"s/k.cu", was}, {"t/k.cpp", was}}, {{"s/k.cu", file(changes)}}, pairs).size();
+    };
+    const Change same, words{"load_words"}, guarded{"load_bytes", "#if ARCH >= 61\n", "#else\n  stop(q);\n#endif\n"};
+    const Change both{"load_words", guarded.first, guarded.last};
+    EXPECT_EQ(count({words, words, words, words, words}), 1u) << "a function that is another now";
+    EXPECT_EQ(count({words, words, words, words, same}), 4u) << "so few may be slips";
+    EXPECT_EQ(count({words, words, words, words, {"load_quads"}}), 5u);
+    EXPECT_EQ(count({words, words, words, words, {"load_words", "", "", "4"}}), 2u) << "another edit beside it";
+    EXPECT_EQ(count({both, words, words, {"load_words", "", "", "3 + sqrt(s) * 7"}, words}), 3u);
+    EXPECT_EQ(count({guarded, guarded, guarded, same, same}), 1u) << "whole lines";
+    EXPECT_EQ(count({both, both, both, words, words}), 1u) << "the first tells both";
+    EXPECT_EQ(count({{"load_bytes", "", "", "4"},
+                     {"load_bytes", "", "", "4"},
+                     {"load_bytes", "", "", "4"},
+                     {"load_bytes", "", "", "4"},
+                     {"load_bytes", "", "", "4"}}),
+              5u)
+        << "a number in the place of another";
+    for (const char* slip : {"3.5f", "x9.y", "q[1]"})
+        EXPECT_EQ(count(std::vector<Change>(kUnits, {"load_bytes", "", "", slip})), 5u) << slip;
+    EXPECT_EQ(count(std::vector<Change>(kUnits, {"load_bytes", "", "", "3 && q[0] || q[1]"})), 1u);
+}
+
+TEST(QuietGate, AMacroWithinATextIsToldWithTheEditOfBothSides) {
+    const auto text = [](const std::string& with, const std::string& hand) {
+        return "void f(int n, int m) {\n  n += " + with + ";\n#define EVAL(k) eval(k, " + hand +
+               ")\n  EVAL(n);\n  EVAL(m);\n}\n";
+    };
+    const std::string was = text("1", "n, m");
+    EXPECT_EQ(loud({{"s/k.cu", was}, {"t/k.cpp", was}}, {{"s/k.cu", text("2", "m, m")}, {"t/k.cpp", text("2", "m")}},
+                   {"s/k.cu:f=t/k.cpp:f"}),
+              Loud{"port-differs s/k.cu:f"});
+    EXPECT_EQ(loud({{"s/k.cu", was}, {"t/k.cpp", was}}, {{"s/k.cu", text("1", "m, m")}}, {"s/k.cu:f=t/k.cpp:f"}).size(),
+              1u);
+}
+
 TEST(QuietGate, AMacroIsToldWithTheEditOfAText) {
     const auto text = [](const std::string& name, const std::string& value) {
         return "int " + name + "(int n) {\n#ifdef WIDE\n  n *= 2;\n#endif\n  return n + " + value + ";\n}\n";

@@ -361,6 +361,27 @@ TEST(TwoSidedEdit, TheNamesOfPairsAreOne) {
 }
 
 /// Half of all drift is older than the gate: a side that brings in what the other has all along is no new drift.
+TEST(TwoSidedEdit, ANewNameDiffersAsTheIdsOfThePairDo) {
+    const auto rules = [](const std::string& source, const std::string& target) {
+        const std::string before = "void f(int n) { g(n); }\n";
+        return rules_of(
+            report_on({source,
+                       "run_cuda.cu",
+                       "run-Hip.cpp",
+                       {before, before},
+                       {replaced(before, "g(n);", "g(n); " + source), replaced(before, "g(n);", "g(n); " + target)},
+                       {}}));
+    };
+    EXPECT_EQ(rules("launchCudaKernel(n, 2);", "launchHipKernel(n, 2);"), Names{});
+    EXPECT_EQ(rules("if (n > kLambda_CUDA) { n = 1; }", "if (n > kLambda_HIP) { n = 1; }"), Names{});
+    EXPECT_EQ(rules("make_cuda_exec(n);", "make_hip_exec(n);"), Names{});
+    EXPECT_EQ(rules("launchCudaKernel(n, 2);", "launchHipKernel(n, 3);"), Names{"port-differs"});
+    EXPECT_EQ(rules("launchCudaKernel(n, 2);", "launchHipQueue(n, 2);"), Names{"port-differs"});
+    EXPECT_EQ(rules("launchCudaKernel(n, 2);", "launchOmpKernel(n, 2);"), Names{"port-differs"});
+    EXPECT_EQ(rules("launchCudaKernel(n, 2);", "launchCudaKernel(n, 2); launchHipKernel(n, 2);"),
+              Names{"port-differs"});
+}
+
 TEST(TwoSidedEdit, ASideThatCatchesUpIsNoted) {
     const std::string behind = "void f(float x) {\n    float a = h(x);\n    g(a);\n}\n";
     const std::string ahead =

@@ -79,6 +79,14 @@ TEST(WeighedEdit, BothSidesInTheirOwnWords) {
          kCopy,
          copy_with(from, to, there, "y.store(out, std::max(x.load(at) * 0.5f - shift(at), lim));"),
          {"port-differs"}},
+        {"a name of both sides in another's place",
+         kCopy,
+         copy_with(from, to, there, "y.store(out, std::min(x.load(at) * 0.5f - shift(out), lim));"),
+         {"port-differs"}},
+        {"the same at the end",
+         kCopy,
+         copy_with(from, to, there, "y.store(out, std::min(x.load(at) * 0.5f - shift(at), n));"),
+         {"port-differs"}},
         {"a condition on one side",
          kCopy,
          copy_with(from, to, there, "if (at > out) { y.store(out, std::min(x.load(at) * 0.5f - shift(at), lim)); }"),
@@ -106,6 +114,55 @@ TEST(WeighedEdit, WhatCameIsTheSameAndOwnWordsWentTogether) {
          before,
          {replaced(now("p[0] = -a;", "").source, "p[1] = a * 3.0f;", ""), now("", "p[0] = -a;").target},
          {"port-differs"}},
+    });
+}
+
+TEST(WeighedEdit, OwnWordsThatStoodForNothingMayGo) {
+    const BySide<std::string> before = {
+        "void f(float* p, int k, float a) {\n  p[0] = a;\n  p[1] = a * 3.0f;\n  p[2] = k;\n  flush(p);\n}\n",
+        "void f(float* p, int k, float a) {\n  p[0] = a;\n  sweep(k);\n  p[1] = a * 3.0f;\n  p[2] = k;\n"
+        "  Sink sink(p); sink.drain();\n}\n"};
+    const std::string more = "p[2] = k; p[3] = -a;";
+    const auto now = [&](const std::string& from, const std::string& to) {
+        return BySide<std::string>{replaced(before.source, "p[2] = k;", more),
+                                   replaced(replaced(before.target, "p[2] = k;", more), from, to)};
+    };
+    expect_all({
+        {"the source has nothing there", before, now("  sweep(k);\n", ""), {}},
+        {"the source has it in its words", before, now("  Sink sink(p); sink.drain();\n", ""), {"port-differs"}},
+        {"what both have went, too", before, now("  sweep(k);\n  p[1] = a * 3.0f;\n", ""), {"port-differs"}},
+        {"another came in its place", before, now("sweep(k);", "sweep(a);"), {"port-differs"}},
+    });
+}
+
+TEST(WeighedEdit, WordForWordAtTheSamePlaces) {
+    const BySide<std::string> before = {
+        "void f(float* y, const float* x, float a, float d, int n) {\n"
+        "  const int i = first_index();\n  if (i < n) { y[i] = a / d * x[i]; }\n  keep(y, a / d);\n}\n",
+        "void f(int n, span x, span y, float a, float d) {\n  axpy(n, a / d, x.data(), y.data());\n"
+        "  y.settle();\n  keep(y.data(), a / d);\n}\n"};
+    const auto edited = [&](const std::string& in_source, const std::string& in_target) {
+        return BySide<std::string>{replaced(before.source, "a / d * x[i]", in_source),
+                                   replaced(before.target, "n, a / d", in_target)};
+    };
+    const std::string here = "a / (d + 0.5f) * x[i]";
+    expect_all({
+        {"one edit in statements that are not alike", before, edited(here, "n, a / (d + 0.5f)"), {}},
+        {"another number", before, edited(here, "n, a / (d + 0.25f)"), {"port-differs"}},
+        {"another sign", before, edited(here, "n, a / (d - 0.5f)"), {"port-differs"}},
+        {"another variable", before, edited("a / (d + n) * x[i]", "n, a / (d + a)"), {"port-differs"}},
+        {"another place of the statement", before, edited(here, "n, (a + 0.5f) / d"), {"port-differs"}},
+        {"other brackets", before, edited(here, "n, (a / d + 0.5f)"), {"port-differs"}},
+        {"another statement",
+         before,
+         {replaced(before.source, "a / d * x[i]", here), replaced(before.target, "(), a / d", "(), a / (d + 0.5f)")},
+         {"port-differs"}},
+        {"more on one side",
+         before,
+         {replaced(before.source, "a / d * x[i]", here),
+          replaced(edited(here, "n, a / (d + 0.5f)").target, "y.settle();", "")},
+         {"port-differs"}},
+        {"another qualifier", before, edited("a / (d + 1) * x[i]", "n, a / (d + 1ull)"), {"port-differs"}},
     });
 }
 
