@@ -80,6 +80,7 @@ private:
             LoneEdit lone = lone_edit(before_[side], now_[side], pair_[side].kind, pair_[side].language, dialect_,
                                       names_count(pair_[side]));
             out_.idle[side] = lone.means_nothing;
+            out_.respelled[side] = lone.respells;
             out_.edits[side] = std::move(lone.edit);
         }
     }

@@ -41,7 +41,8 @@ enum class Standing : uint8_t {
 struct PairComparison {
     BySide<Change> changes;
     Standing standing = Standing::InStep;
-    BySide<bool> idle = {false, false};  ///< the side's edit changes no value
+    BySide<bool> idle = {false, false};       ///< the side's edit changes no value
+    BySide<bool> respelled = {false, false};  ///< so because statements are spelled otherwise
     BySide<Edit> edits;  ///< what changes a value, as written; all of an idle edit; empty where a side did
                          ///< not change or `before` is not known
     std::vector<std::string> missing;  ///< EditsDiffer: sentences, what one side did and the other did not

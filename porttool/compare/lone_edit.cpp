@@ -8,14 +8,18 @@
 #include <string_view>
 
 #include "porttool/compare/hints.h"
+#include "porttool/compare/numbered_text.h"
+#include "porttool/compare/plain_declarations.h"
 #include "porttool/compare/plain_statement.h"
 #include "porttool/compare/renaming.h"
 #include "porttool/compare/statement_edit.h"
 #include "porttool/compare/struct_fields.h"
 #include "porttool/compare/switch_cases.h"
 #include "porttool/language/words.h"
+#include "porttool/normal/declaration_words.h"
 #include "porttool/normal/prelude.h"
 #include "porttool/text/letters.h"
+#include "porttool/value_graph/respelling.h"
 
 namespace porttool {
 namespace {
@@ -225,6 +229,34 @@ bool only_moves_declarations(const StatementEdit& edit) {
     return before.statements == now.statements && before.declarations == now.declarations;
 }
 
+/// `typedef struct @ {` and `class @ {` as `@ struct {`: another manner to name the same fields.
+Words with_plain_struct_head(const Words& tokens) {
+    const auto open = std::find(tokens.begin(), tokens.end(), "{");
+    const bool is_plain = open != tokens.end() && std::all_of(tokens.begin(), open, [](std::string_view word) {
+                              return is_one_of(word, {"typedef", "struct", "class", "@"});
+                          });
+    if (!is_plain) return tokens;
+    Words out = {"@", "struct"};
+    out.insert(out.end(), open, tokens.end());
+    if (out.size() > 2 && out.back() == "@") out.pop_back();
+    return out;
+}
+
+/// True if an edit only spelled statements otherwise: see are_respelled().
+bool only_respells(const Words& before, const Words& now, const PlainStatements& plain, Language language,
+                   const Dialect& dialect) {
+    constexpr size_t kMost = 20'000;  // words
+    if (before.size() + now.size() > kMost) return false;
+    const NumberedText then(with_plain_declarations(before)), today(with_plain_declarations(now));
+    const Translator translator = [&](const Words& statement, bool in_body) {
+        return plain.translate(statement, in_body);
+    };
+    const ReadingManner manner{dialect, traits_of(language).literals == Literals::Shading, {}, true};
+    const std::vector<Statement> old_one = split_statements(then.words(), translator),
+                                 new_one = split_statements(today.words(), translator);
+    return are_respelled({old_one, manner}, {new_one, manner});
+}
+
 /// Without what differs between languages: of defaults their values, of an instantiation its arguments.
 std::string what_it_says(const Statement& said) {
     std::string out = said.common[0];
@@ -251,7 +283,7 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
     const auto is_code = kind == UnitKind::Function || kind == UnitKind::Kernel;
     const bool drops_unused = is_code && !exchanges_unused(before, now);
     const auto bare = [&](const Words& tokens) {
-        if (kind == UnitKind::Struct) return data_fields(without_prelude(tokens));
+        if (kind == UnitKind::Struct) return with_plain_struct_head(data_fields(without_prelude(tokens)));
         return is_code ? without_idle_statements(without_hints(without_prelude(tokens)), drops_unused) : tokens;
     };
     const Words old_text = bare(before);
@@ -264,6 +296,8 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
             out.means_nothing = named.lost.empty() && named.gained.empty();
         }
     if (!out.means_nothing && is_code) out.means_nothing = with_sorted_cases(old_text) == with_sorted_cases(bare(now));
+    if (!out.means_nothing && is_code && !names_count)
+        out.means_nothing = out.respells = only_respells(old_text, bare(now), plain, language, dialect);
     if (!out.means_nothing) out.edit = shown_edit(edit);
     add_changed_declarations(before, now, plain, out.edit);
     out.means_nothing = out.means_nothing && out.edit.lost.empty() && out.edit.gained.empty();

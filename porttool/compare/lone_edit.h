@@ -14,6 +14,7 @@ namespace porttool {
 /// What the edit of one side is by itself.
 struct LoneEdit {
     bool means_nothing = false;  ///< it changes no value, and that is sure
+    bool respells = false;       ///< so because statements are spelled otherwise, which the other side may follow
     Edit edit;                   ///< what it did beyond that, as written; all of it if that is nothing
 };
 

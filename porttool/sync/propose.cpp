@@ -102,13 +102,16 @@ private:
         const PairComparison found =
             compare_now(pair, *line, before, pair.unit.source->text, pair.unit.source->prints, pair.unit.target->text,
                         pair.unit.target->prints, knowledge_.dialect());
-        if (found.standing <= Standing::Equivalent) {
+        const auto none_is_due = [&] {
             out.state = ProposalState::Already;
             out.why.emplace_back(found.standing == Standing::InStep ? "in step"
                                  : found.standing == Standing::Idle ? "the edit changes no value"
                                                                     : "both sides changed alike");
             return out;
-        }
+        };
+        const bool may_follow = found.standing == Standing::Idle && edited.source != edited.target &&
+                                found.respelled[edited.source ? Side::Source : Side::Target];
+        if (found.standing <= Standing::Equivalent && !may_follow) return none_is_due();
         Side to = edited.source ? Side::Target : Side::Source;
         if (edited.source && edited.target && checked_.project.map.reference == Reference::Target) to = Side::Source;
         if (write_ == WriteSide::Source) to = Side::Source;
@@ -123,8 +126,12 @@ private:
             return refuse("the text before the edit is not in portmap.base/; restore it from git");
         if (pair.unit[from]->text.size() > kMostWords || pair.unit[to]->text.size() > kMostWords)
             return refuse("too long to be carried: more than 5000 words");
+        const Proposal blank = out;
         carry_with_new_units(pair, *line, before, from, out);
-        return out;
+        if (!may_follow || out.state == ProposalState::Proposed) return out;
+        drafts_.take_back();  // a port that is spelled otherwise anyway
+        out = blank;
+        return none_is_due();
     }
 
     /// What came to be without a counterpart goes as well, if all that used it let it go. Why not; "" where there is

@@ -187,8 +187,9 @@ Machine::Operand Machine::postfix(Reader& in, MachineState& state, Operand opera
             const std::string name(in.peek(1));
             if (!is_word_token(name) || is_beyond(name)) throw Unread();
             in.at += 2;
-            operand =
-                in.peek() == "(" ? method(name, std::move(operand), in, state) : member(operand, name, arrow, state);
+            operand = in.peek() == "(" ? method((arrow && manner_.own_operators ? "-> " : ". ") + name,
+                                                std::move(operand), in, state)
+                                       : member(operand, name, arrow, state);
         } else if (in.take("[")) {
             const Value index = whole(expression(in, state));
             in.expect("]");
@@ -338,7 +339,7 @@ Machine::Operand Machine::method(const std::string& name, Operand object, Reader
     for (const Operand& operand : operands)
         values.push_back(operand.place.kind == Place::Kind::World && &operand == &operands[0] ? operand.place.address
                                                                                               : operand.value);
-    return {unknown_call("call . " + name, std::move(values), operands, state), {}};
+    return {unknown_call("call " + name, std::move(values), operands, state), {}};
 }
 
 /// Whatever the function does to the world and to what it is handed, it does the same where it is given the same.

@@ -18,6 +18,8 @@ struct ReadingManner {
     bool shading = false;  ///< a real number without a suffix is a float
     /// What this text calls types that the other one calls otherwise.
     std::map<std::string, std::string, std::less<>> types = {};
+    /// What is no plain number may have operators of its own making: there `a += b` is not `a = a + b`.
+    bool own_operators = false;
 };
 
 /// What a program holds at a point: its locals by their numbers, and all else there is, the world, as one value. What
@@ -108,6 +110,7 @@ private:
     void note_written(const Place& place, Value whole, Value value, const LocalKind& kind, MachineState& state);
     Value replaced(Value whole, const std::vector<Value>& path, size_t at, Value value);
 
+    Value updated(const std::string& operation, Value left, Value right);
     Value assigned(Reader& in, MachineState& state);
     static std::string bounds(Reader& in);
     Value initial_value(Reader& in, const LocalKind& kind, const std::string& bounds, bool copies, MachineState& state);

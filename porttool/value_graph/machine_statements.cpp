@@ -71,6 +71,12 @@ Value Machine::store(const Place& place, Value value, MachineState& state) {
     return value;
 }
 
+Value Machine::updated(const std::string& operation, Value left, Value right) {
+    const std::string type(table_.type(left));
+    if (!manner_.own_operators || is_plain_type(type) || is_pointer(type)) return table_.binary(operation, left, right);
+    return table_.node(operation + "=", {left, right}, type);
+}
+
 Value Machine::assigned(Reader& in, MachineState& state) {
     const bool step_first = in.peek() == "++" || in.peek() == "--";
     const std::string step(step_first ? in.words[in.at++] : std::string());
@@ -78,8 +84,8 @@ Value Machine::assigned(Reader& in, MachineState& state) {
     const std::string word(in.peek());
     if (step_first || word == "++" || word == "--") {
         if (!step_first) ++in.at;
-        const std::string_view operation = std::string_view(step_first ? step : word).substr(0, 1);
-        return store(left.place, table_.binary(operation, whole(left), table_.number("1", manner_.shading)), state);
+        const std::string operation = (step_first ? step : word).substr(0, 1);
+        return store(left.place, updated(operation, whole(left), table_.number("1", manner_.shading)), state);
     }
     if (word == "=") {
         ++in.at;
@@ -92,7 +98,7 @@ Value Machine::assigned(Reader& in, MachineState& state) {
     if (!compound) return whole(left);
     in.at += shifts ? 2 : 1;
     const Value right = whole(expression(in, state));
-    return store(left.place, table_.binary(operation, whole(left), right), state);
+    return store(left.place, updated(operation, whole(left), right), state);
 }
 
 bool Machine::starts_declaration(const Text& words, size_t first, size_t end, const MachineState& state) const {
@@ -136,6 +142,11 @@ Value Machine::initial_value(Reader& in, const LocalKind& kind, const std::strin
         std::vector<Value> values;
         for (const Operand& operand : operands) values.push_back(operand.value);
         return unknown_call("call " + kind.type, std::move(values), operands, state);
+    }
+    if (copies && !kind.array && is_scalar_type(kind.type) && in.take("{")) {
+        const std::vector<Operand> operands = arguments(in, state, "}");
+        if (operands.size() == 1) return table_.converted(whole(operands[0]), kind.type);
+        throw Unread();
     }
     if (!copies || in.peek() == "{") throw Unread();
     // Of a class that is not known a constructor may run.
@@ -183,7 +194,7 @@ void Machine::run_plain(const Text& words, size_t first, size_t end, MachineStat
         const Value value = assigned(in, state);
         // Nobody takes the value: if anything comes of it, it is by an operator or a function of its own making.
         const bool did_something = state.world != before.world || state.locals != before.locals;
-        if (!did_something) state.world = table_.node("evaluated", {state.world, value});
+        if (!did_something || manner_.own_operators) state.world = table_.node("evaluated", {state.world, value});
         if (in.at < end) in.expect(",");
     }
 }

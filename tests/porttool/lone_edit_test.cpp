@@ -475,6 +475,114 @@ TEST(LoneEdit, WhatCanChangeAValueIsFound) {
         EXPECT_EQ(rules_after(edit, ""), std::vector<std::string>{"source-changed"}) << shown(edit);
 }
 
+const std::string kSpelled = R"(
+typedef struct Sum { float x; int n; } Sum;
+float f(const float a[], int n, float s, Sum* p, half h, Matrix m, Matrix r, const volatile float* v) {
+    float sum = 0.0f, best = 1e-3f;
+    int count = 0, last;
+    last = n;
+    for (int i = 0; i < n; i++) {
+        if (a[i] > s) { sum += a[i] * s; count = count + 1; }
+    }
+    if (p != NULL && count != 0) { p->x = sum; p->n += 1; }
+    float t = (sum + best) * 2.0f - (sum - best - s);
+    while (count > 1) { count >>= 1; h = h + 1; }
+    if (count == 0 || !(t > s)) return a[n - 1] < s ? s : a[n - 1] > t ? t : a[0];
+    m *= r; r = m * r;
+    return sum + (best + t) * s;
+}
+)";
+
+/// What C, and with it OpenCL and CUDA, says of the two spellings: the same value in every bit.
+const std::vector<std::pair<std::string, std::string>> kRespelled = {
+    {"count = count + 1", "count += 1"},
+    {"count = count + 1", "count++"},
+    {"count = count + 1", "++count"},
+    {"sum += a[i] * s", "sum = sum + a[i] * s"},
+    {"sum += a[i] * s", "sum += s * a[i]"},
+    {"sum += a[i] * s", "sum += (s * (a[i]))"},
+    {"count >>= 1", "count = count >> 1"},
+    {"a[i] > s", "s < a[i]"},
+    {"a[i] > s", "*(a + i) > s"},
+    {"count > 1", "1 < count"},
+    {"p != NULL", "p"},
+    {"p != NULL", "p != 0"},
+    {"p != NULL", "NULL != p"},
+    {"count != 0", "count"},
+    {"count == 0", "!count"},
+    {"count == 0", "0 == count"},
+    {"count == 0", "!(count != 0)"},
+    {"p->x = sum", "(*p).x = sum"},
+    {"p->x = sum", "p[0].x = sum"},
+    {"(sum + best) * 2.0f", "2.0f * (best + sum)"},
+    {"(sum + best) * 2.0f", "((sum + best) * 2.0f)"},
+    {"float t = (sum + best) * 2.0f", "float t; t = (sum + best) * 2.0f"},
+    {"float sum = 0.0f, best = 1e-3f;", "float sum = 0.0f; float best = 1e-3f;"},
+    {"int count = 0, last;\n    last = n;", "int count = 0;\n    int last = n;"},
+    {"while (count > 1)", "for (; count > 1;)"},
+    {"a[n - 1] < s ? s : a[n - 1] > t ? t : a[0]", "(a[n - 1] < s) ? s : ((a[n - 1] > t) ? t : a[0])"},
+    {"const float a[]", "const float* a"},
+};
+
+/// Near them, and not the same, or not to be known so: sums that are grouped otherwise, what is not a plain number.
+const std::vector<std::pair<std::string, std::string>> kNotRespelled = {
+    {"sum + (best + t) * s", "(sum + best + t) * s"},
+    {"sum + best", "sum - best"},
+    {"(sum - best - s)", "(sum - (best - s))"},
+    {"(sum - best - s)", "sum - best - s"},
+    {"a[i] > s", "s > a[i]"},
+    {"a[i] > s", "!(a[i] <= s)"},
+    {"count != 0", "!count"},
+    {"count != 0", "count != 1"},
+    {"p != NULL && count != 0", "p != NULL || count != 0"},
+    {"count = count + 1", "count = count + 2"},
+    {"count = count + 1", "n = count + 1"},
+    {"p->n += 1", "p->n = p->n + 1"},
+    {"p->x = sum", "p[1].x = sum"},
+    {"m *= r", "m = m * r"},
+    {"r = m * r", "r = r * m"},
+    {"int count = 0, last;\n    last = n;", "int count = n, last;\n    last = 0;"},
+    {"const float a[]", "const float** a"},
+    {"const volatile float* v", "const float* v"},
+    {"return sum + (best", "return sum + s + (best"},
+    {"!(t > s)", "!t > s"},
+};
+
+TEST(LoneEdit, WhatSpellsAStatementOtherwiseRaisesNothing) {
+    for (const auto& [from, to] : kRespelled) {
+        const LabelledEdit there{".cl", kSpelled, from, to}, back{".cl", replaced(kSpelled, from, to), to, from};
+        EXPECT_EQ(rules_after(there, ""), std::vector<std::string>{}) << shown(there);
+        if (kSpelled.find(to) == std::string::npos) {
+            EXPECT_EQ(rules_after(back, ""), std::vector<std::string>{}) << shown(back);
+        }
+    }
+    const LabelledEdit one{".cl", kSpelled, kRespelled[0].first, kRespelled[0].second};
+    EXPECT_EQ(rules_after(one, "[rules]\nqualifiers = \"warning\"\n"), std::vector<std::string>{"qualifiers"});
+}
+
+TEST(LoneEdit, WhatIsNearAnotherSpellingIsFound) {
+    const std::string kStream = "void f(Stream& out, Range r, int n) {\n    out << g(n);\n    n > g(n);\n}\n";
+    for (const auto& [from, to] : {std::pair("out << g(n)", "out >> g(n)"), std::pair("n > g(n)", "n >= g(n)")})
+        EXPECT_NE(rules_after({".cpp", kStream, from, to}, ""), std::vector<std::string>{}) << to;
+    for (const auto& [from, to] : kNotRespelled) {
+        const LabelledEdit edit{".cl", kSpelled, from, to};
+        EXPECT_NE(rules_after(edit, ""), std::vector<std::string>{}) << shown(edit);
+    }
+}
+
+TEST(LoneEdit, AStructIsItsFieldsHoweverItIsNamed) {
+    const std::string body = "typedef struct { float x, y; int n; } f;\n";
+    for (const char* now : {"typedef struct f { float x; float y; int n; } f;", "struct f { float x, y; int n; };"})
+        EXPECT_EQ(rules_after({".cl", body, "typedef struct { float x, y; int n; } f;", now}, ""),
+                  std::vector<std::string>{})
+            << now;
+    for (const char* now : {"typedef struct { float y, x; int n; } f;", "typedef union { float x, y; int n; } f;",
+                            "typedef struct __attribute__((packed)) { float x, y; int n; } f;"})
+        EXPECT_NE(rules_after({".cl", body, "typedef struct { float x, y; int n; } f;", now}, ""),
+                  std::vector<std::string>{})
+            << now;
+}
+
 TEST(LoneEdit, BracesAroundAStatementThatChoosesAreCosmetic) {
     const std::string body = R"(
 float f(float a, float b, int n) {

@@ -1340,7 +1340,31 @@ TEST(SyncEdit, AStatementOfOtherValuesIsLeft) {
                "\n  out[0] = z;\n}\n";
     };
     const std::string port = replaced(text("z = turned * part->size.scale;"), "  z = part", "  float turned = part");
-    expect_left({"k.cpp", "l.cl", text("z = z * part->size.scale;"), text("z *= part->size.scale;"), port, ""});
+    expect_left({"k.cpp", "l.cl", text("z = z * part->size.scale;"), text("z *= part->size.scale + 1;"), port, ""});
+}
+
+TEST(SyncEdit, AnotherSpellingIsCarriedWhereItIsAskedForAndThePortHasTheStatement) {
+    const auto text = [](const std::string& scaled) {
+        return "void fold(float* out, float scale, float z) {\n  z = z + 1;\n  " + scaled + "\n  out[0] = z;\n}\n";
+    };
+    const auto asked = [&](const std::string& port, const std::vector<std::string>& which) {
+        MemoryDisk disk;
+        disk.files = {{"/r/s/k.cpp", text("z = z * scale;")}, {"/r/t/k.cl", text(port)}};
+        EXPECT_EQ(run(disk, {"-C", "/r", "init", "--source", "s/*", "--target", "t/*"}).exit_code, 0);
+        disk.files["/r/s/k.cpp"] = text("z *= scale;");
+        std::vector<std::string> arguments = {"-C", "/r", "sync", "--format", "json"};
+        arguments.insert(arguments.end(), which.begin(), which.end());
+        return nlohmann::json::parse(run(disk, arguments).out)["proposals"];
+    };
+    const nlohmann::json twin = asked("z = z * scale;", {"s/k.cpp:fold"});
+    EXPECT_EQ(twin[0]["state"], "proposed");
+    EXPECT_NE(twin[0]["patch"].get<std::string>().find("\n+  z *= scale;\n"), std::string::npos) << twin;
+    for (const char* otherwise : {"z *= scale;", "z = turned(z, scale);"}) {
+        const nlohmann::json got = asked(otherwise, {"s/k.cpp:fold"});
+        EXPECT_EQ(got[0]["state"], "already") << got;
+        EXPECT_TRUE(got[0]["patch"].is_null());
+    }
+    EXPECT_EQ(asked("z = z * scale;", {}).size(), 0u) << "nothing is due";
 }
 
 TEST(SyncEdit, ARegionForDataMayHoldWhatStandsBesideItsFirstStatement) {
