@@ -88,6 +88,13 @@ bool changes_other_values(const Transplant& found, const AlignedText& before, co
     });
 }
 
+/// True if a `#` of a unit begins no directive, since it begins no line.
+bool has_stray_directive(const ScannedFile& file, const Unit& unit) {
+    for (uint32_t i = unit.tokens.first; i < unit.tokens.end; ++i)
+        if (file.lexed.view(i) == "#" && (file.lexed.tokens[i].flags & kInDirective) == 0) return true;
+    return false;
+}
+
 void leave_at_heads(const PairEdit& edit, std::string why, Proposal& out) {
     out.left.push_back({std::move(why), first_line(edit.pair, Side::Source), first_line(edit.pair, Side::Target)});
 }
@@ -339,6 +346,7 @@ void PairCarrier::finish(const PairEdit& edit, const Texts& texts, const Transpl
     if (!alone &&
         (unit == nullptr || scanned.balanced != draft.scanned.balanced || !others_stayed(draft.scanned, scanned, port)))
         return refuse("the port made of this edit could not be read back");
+    if (has_stray_directive(scanned, *unit)) return refuse("a directive of the port would stand within a line");
     for (const std::string& name : names_lost(scanned, old_words, words_of_unit(scanned, *unit).words))
         leave_where("`" + name + "`", "the port would use `" + name + "` where it does not declare it");
     const UnitState state = unit_state(scanned, *unit);

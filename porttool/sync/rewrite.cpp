@@ -101,6 +101,8 @@ private:
     void insert(const WordsReplaced& one, size_t before, size_t after, const std::string& now) {
         const bool begins_clause = std::any_of(target_.clauses.begin(), target_.clauses.end(),
                                                [&](const Clause& clause) { return clause.first == one.first; });
+        const bool beside_directive = after != kNone && target_.words.words[after] == "#";
+        if (beside_directive && before != kNone && !now.empty()) return insert_line(before, now);
         if (begins_clause && after != kNone && !now.empty())
             return put(start_of(after), start_of(after), now + after_new(one, after));
         if (before == kNone || now.empty()) {
@@ -114,6 +116,12 @@ private:
         if (between.find('\n') != std::string::npos || between.find('/') != std::string::npos || after == kNone)
             return put(end, end, lead + now);
         put(end, next, lead + now + trail);
+    }
+
+    /// Words at the end of a line that a directive follows, on a line of their own.
+    void insert_line(size_t before, const std::string& now) {
+        const size_t eol = end_of_comments(end_of(before));
+        put(eol, eol, "\n" + indent_of_line(before) + now);
     }
 
     std::string before_new(const WordsReplaced& one, size_t before) const {

@@ -1367,6 +1367,24 @@ TEST(SyncEdit, AnotherSpellingIsCarriedWhereItIsAskedForAndThePortHasTheStatemen
     EXPECT_EQ(asked("z = z * scale;", {}).size(), 0u) << "nothing is due";
 }
 
+TEST(SyncEdit, WhatStandsBeforeADirectiveGetsALineOfItsOwn) {
+    const auto text = [](const std::string& first, const std::string& second) {
+        return "void launch(int n) {\n  pick(1, n);\n#ifdef ALL\n  PICK(2, n)\n  PICK(5, n)\n" + first +
+               "#else\n  PICK(2, n)\n" + second + "#endif // ALL\n  finish(n);\n}\n";
+    };
+    const std::string line = "  PICK(4, n)\n";
+    for (const auto& [first, second] : {std::pair(line, std::string()), std::pair(std::string(), line)}) {
+        const EditCase one{"k.cu", "k.cpp", text("", ""), text(first, second), text("", ""), text(first, second)};
+        const Synced got = synced(one);
+        if (got.state() != "proposed" && got.state() != "refused") ADD_FAILURE() << got.why();
+        EXPECT_EQ(got.port.find(") #"), std::string::npos) << got.port;
+        if (got.state() == "proposed") {
+            EXPECT_EQ(got.port, one.ported);
+        }
+    }
+    EXPECT_EQ(synced({"k.cu", "k.cpp", text("", ""), text(line, ""), text("", ""), ""}).state(), "proposed");
+}
+
 TEST(SyncEdit, ARegionForDataMayHoldWhatStandsBesideItsFirstStatement) {
     const auto source = [](const std::string& clock) {
         return "void run(float* a, int n) {\n  prepare(n);\n  upload();\n" + clock +
