@@ -62,7 +62,7 @@ NEUTRAL = [
     (None, "generate.glsl", "throughput.pdf = 0.0f", "throughput.pdf = 0.00f"),
     (None, "extend.glsl", "hit.instance == NONE", "NONE == hit.instance"),
     (None, "shade.glsl", "pass.segment >= 3u", "pass.segment > 2u"),
-    (None, "shade.glsl", "0.25f * max(bsdf.pick_diffuse, bsdf.alpha)", "max(bsdf.alpha, bsdf.pick_diffuse) * 0.25f"),
+    (None, "shade.glsl", "0.25f * max(bsdf.pick_diffuse, bsdf.alpha)", "max(bsdf.pick_diffuse, bsdf.alpha) * 0.25f"),
     (None, "bsdf.glsl", "wi = select(bsdf.is_smooth && wrong_side, mirrored(wi, bsdf.side), wi);",
      "wi = select(!(bsdf.is_smooth && wrong_side), wi, mirrored(wi, bsdf.side));"),
     (None, "bsdf.glsl", "Mask reflects = lobe < reflecting;", "Mask reflects = reflecting > lobe;"),

@@ -141,6 +141,16 @@ def definition_in(head, template):
     return head[value - 1] if "inline" in head and value > 1 else ""
 
 
+def constants_in(declaration):
+    """`constexpr int kFew = 2, kMany = 9` defines both."""
+    out, depth = [], 0
+    for i, token in enumerate(declaration):
+        depth += (token in CLOSERS) - (token in CLOSERS.values())
+        if token == "=" and depth == 0 and i > 0:
+            out.append(declaration[i - 1])
+    return out
+
+
 def definitions(text):
     """The names that a file defines with external linkage, and those in its unnamed namespaces; None if it has none."""
     tokens, at, scopes, head, names, local = tokens_of(text), 0, [], [], set(), None
@@ -162,10 +172,11 @@ def definitions(text):
             name = definition_in(declaration, template) if is_body or "inline" in declaration else ""
             if not is_body and "(" in name:
                 name = ""
-            if None in scopes and not name and "constexpr" in declaration and "=" in declaration:
-                name = declaration[declaration.index("=") - 1]
-            if name:
-                (local if None in scopes else names).add("::".join([scope for scope in scopes if scope] + [name]))
+            found = [name] if name else []
+            if None in scopes and not name and {"const", "constexpr"} & set(declaration) and declaration[0] != "using":
+                found = constants_in(declaration)
+            for one in found:
+                (local if None in scopes else names).add("::".join([scope for scope in scopes if scope] + [one]))
             at, head = (end_of(tokens, at) if is_body else at + 1), []
             if is_body and at < len(tokens) and tokens[at] in ",;)":  # the rest of an initialiser
                 at += tokens[at] == ";"
@@ -256,6 +267,9 @@ class OneDefinition(unittest.TestCase):
         self.assertEqual(found("porttool/a/x.cpp", "porttool/a/y.cpp"),
                          ["n::kMost in porttool/a is defined in porttool/a/x.cpp, porttool/a/y.cpp; rename one to what it is"])
         self.assertEqual(found("porttool/a/x.cpp", "porttool/b/y.cpp"), [])
+        both = "namespace n { namespace { constexpr int kFew = 2, kMost = g(1, 2); const char* const kWord = \"\"; } }"
+        names = [definitions(text)[1] for text in (both, "namespace n { namespace { const size_t kMost = 5; } }")]
+        self.assertEqual(names, [{"n::kFew", "n::kMost", "n::kWord"}, {"n::kMost"}])
         self.assertEqual(len(found("porttool/history/x.cpp", "porttool/effort/y.cpp")), 1, "compiled together")
         self.assertEqual(len(found("tests/porttool/x.cpp", "tests/porttool/y.cpp")), 1)
         self.assertEqual(found("tests/physics/x.cpp", "tests/physics/y.cpp"), [])

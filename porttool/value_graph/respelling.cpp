@@ -16,7 +16,8 @@ namespace {
 
 using Text = Machine::Text;
 
-constexpr size_t kMostStatements = 2'000, kMostWords = 400;  // of a function, of a statement
+constexpr size_t kMostStatements = 2'000;  // of a function
+constexpr size_t kMostWordsOfStatement = 400;
 
 bool is_null(std::string_view word) { return is_one_of(word, {"NULL", "nullptr"}); }
 
@@ -78,7 +79,7 @@ public:
 
     /// All that a statement does, as one value. Throws Unread.
     Value run(const Text& words) {
-        if (words.empty() || words.size() > kMostWords) throw Unread();
+        if (words.empty() || words.size() > kMostWordsOfStatement) throw Unread();
         const std::string& word = words[0];
         if (is_one_of(word, {"#", "else", "do", "case", "default", "@"})) throw Unread();
         if (word == "return") return words.size() == 1 ? table_.node("nothing") : value_of(words, {1, words.size()});
