@@ -142,12 +142,14 @@ def definition_in(head, template):
 
 
 def constants_in(declaration):
-    """`constexpr int kFew = 2, kMany = 9` defines both."""
-    out, depth = [], 0
-    for i, token in enumerate(declaration):
+    """`constexpr int kFew = 2, kMany[] = 9` defines both."""
+    out, depth, name = [], 0, ""
+    for token in declaration:
         depth += (token in CLOSERS) - (token in CLOSERS.values())
-        if token == "=" and depth == 0 and i > 0:
-            out.append(declaration[i - 1])
+        if token == "=" and depth == 0:
+            out.append(name)
+        elif depth == 0 and re.match(r"[A-Za-z_]", token):
+            name = token
     return out
 
 
