@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/computed_values.h"
 
+#include <set>
+
 #include "porttool/compare/hints.h"
 #include "porttool/compare/meaning.h"
 #include "porttool/compare/numbered_text.h"
 #include "porttool/compare/plain_references.h"
+#include "porttool/language/words.h"
+#include "porttool/normal/declaration_words.h"
+#include "porttool/normal/locals.h"
 #include "porttool/normal/prelude.h"
 #include "porttool/normal/statements.h"
 #include "porttool/value_graph/same_values.h"
@@ -17,9 +22,8 @@ constexpr size_t kMostComputed = 5'000;  ///< of each text
 
 bool is_shading(Language language) { return traits_of(language).literals == Literals::Shading; }
 
-}  // namespace
-
-bool compute_alike(const BySide<Words>& texts, const Dialect& dialect, const BySide<Language>& languages) {
+bool are_alike(const BySide<Words>& texts, const Dialect& dialect, const BySide<Language>& languages,
+               bool own_operators) {
     if (texts.source.size() > kMostComputed || texts.target.size() > kMostComputed) return false;
     const NumberedText source(without_hints(without_prelude(texts.source))),
         target(without_hints(without_prelude(texts.target)));
@@ -34,9 +38,35 @@ bool compute_alike(const BySide<Words>& texts, const Dialect& dialect, const ByS
     const std::vector<Statement> here = statements(plain.source, Side::Source),
                                  there = statements(plain.target, Side::Target);
     const bool shading = is_shading(languages.source) || is_shading(languages.target);
-    const ReadingManner manner{dialect, shading, {}};
+    const ReadingManner manner{dialect, shading, {}, own_operators};
     // Whose classes stand for whose vectors is asked from the side that has vectors.
     return give_the_same({here, manner}, {there, manner}) || give_the_same({there, manner}, {here, manner});
+}
+
+/// What a function reads, calls, promises and how it is made: its words but for locals, the types of numbers and what
+/// heads a branch. Other statements for one value bring none and take none.
+std::set<std::string_view> words_that_count(const Words& text) {
+    const std::vector<size_t> locals = local_numbers(text);
+    std::set<std::string_view> out;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const bool counts = is_word_token(text[i]) || is_number_token(text[i]) || text[i] == "#";
+        const bool is_local = !locals.empty() && locals[i] != 0;
+        if (counts && !is_local && !is_type_word(text[i]) && !word_is(text[i], kControls) &&
+            !is_one_of(text[i], {"else", "const"}))
+            out.insert(text[i]);
+    }
+    return out;
+}
+
+}  // namespace
+
+bool compute_alike(const BySide<Words>& texts, const Dialect& dialect, const BySide<Language>& languages) {
+    return are_alike(texts, dialect, languages, false);
+}
+
+bool computes_as_before(const Words& before, const Words& now, const Dialect& dialect, Language language) {
+    if (words_that_count(before) != words_that_count(now)) return false;
+    return are_alike({before, now}, dialect, {language, language}, true);
 }
 
 }  // namespace porttool

@@ -13,4 +13,8 @@ namespace porttool {
 /// give_the_same(). Texts are in normal form; of more than 5,000 words nothing is sure.
 bool compute_alike(const BySide<Words>& texts, const Dialect& dialect, const BySide<Language>& languages);
 
+/// True if a function is sure to compute what it computed before its edit. What is no plain number may have operators
+/// of its own making here.
+bool computes_as_before(const Words& before, const Words& now, const Dialect& dialect, Language language);
+
 }  // namespace porttool

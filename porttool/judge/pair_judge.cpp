@@ -7,6 +7,7 @@
 #include "porttool/compare/alike_spots.h"
 #include "porttool/compare/asides.h"
 #include "porttool/compare/common_ground.h"
+#include "porttool/compare/computed_values.h"
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
 #include "porttool/compare/named_parts.h"
@@ -353,9 +354,13 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
                           ? Level::Warning
                           : Level::Note,
                       "it only changes what is printed, checked or timed");
-    if (only_names_parts(texts.before, texts.now, now.kind, language_of_path(now.file), dialect_) &&
+    const Language language = language_of_path(now.file);
+    const bool names_parts = only_names_parts(texts.before, texts.now, now.kind, language, dialect_);
+    if ((names_parts || computes_as_before(before.words(), now.text.words(), dialect_, language)) &&
         !are_twins(texts.before, texts.other, dialect_))
-        return weaken(pair, finding, Level::Note, "it only names a part, or writes it out");
+        return weaken(pair, finding, Level::Note,
+                      names_parts ? "it only names a part, or writes it out"
+                                  : "it computes what it computed before, in other statements");
     const std::string there_is = side == Side::Source ? "the port" : "the source";
     if (only_tends_foreign_runtime(texts.before, texts.now, texts.other))
         return weaken(pair, finding, Level::Note,

@@ -47,7 +47,7 @@ bool give_the_same(const ReadFunction& one, const ReadFunction& other) {
         FunctionRun first(table, one.manner, here[0]);
         const auto names = type_names(first.types(), FunctionRun(table, other.manner, there[0]).types());
         if (!names) return false;
-        const ReadingManner renamed{other.manner.dialect, other.manner.shading, *names};
+        const ReadingManner renamed{other.manner.dialect, other.manner.shading, *names, other.manner.own_operators};
         return first.outcome() == FunctionRun(table, renamed, there[0]).outcome();
     } catch (const Unread&) {
         return false;

@@ -316,6 +316,29 @@ TEST(QuietGate, MembersOfWhatIsAPointerNow) {
     EXPECT_EQ(after("aux.color", "aux->alpha"), Loud{"source-changed s/k.cl:f"});
 }
 
+TEST(QuietGate, OtherStatementsThatComputeTheSameAreANoteUnlessTheSidesAreTwins) {
+    const std::string before =
+        "float f(float v, float low, float high) {\n    if (v < low) return low;\n    if (v > high) return high;\n"
+        "    return v;\n}\n";
+    const std::string chosen =
+        "float f(float v, float low, float high) {\n    return v < low ? low : v > high ? high : v;\n}\n";
+    const std::string port =
+        "float f(float value, Range range) {\n    float out = max(range.low, value);\n"
+        "    return min(out, range.high);\n}\n";
+    const auto after = [&](const std::string& now, const std::string& there) {
+        return loud({{"s/k.cl", before}, {"t/k.cpp", there}}, {{"s/k.cl", now}}, {"s/k.cl:f=t/k.cpp:f"});
+    };
+    const Loud found = {"source-changed s/k.cl:f"};
+    EXPECT_EQ(after(chosen, port), Loud{});
+    EXPECT_EQ(after(replaced(before, "if (v < low) return low;\n    if (v > high) return high;\n    return v;",
+                             "if (v < low) { return low; } else if (high < v) { return high; } else { return v; }"),
+                    port),
+              Loud{});
+    EXPECT_EQ(after(chosen, before), found) << "twins";
+    EXPECT_EQ(after(replaced(chosen, "v > high", "v >= high"), port), found);
+    EXPECT_EQ(after(replaced(chosen, "? low", "? high"), port), found);
+}
+
 TEST(QuietGate, AMacroThatOnlyDecidesOnPrints) {
     const auto text = [](const std::string& guarded) {
         return "void f(float* y, int n) {\n  for (int i = 0; i < n; ++i) { y[i] *= 2.0f; }\n#ifdef BENCH_PRINT\n" +
@@ -527,7 +550,9 @@ TEST(QuietGate, APartThatGetsAName) {
     // Another part; one that changes; one that is changed; one that something else may change; what calls anything.
     EXPECT_EQ(after(text, named("(n + 7)", "const float most = n + 8;", "most")), told);
     EXPECT_EQ(after(text, named("x[0]", "const float first = x[0];", "first")), told);
-    EXPECT_EQ(after(text, replaced(text, "y[3 * i + 1]", "int at = i; y[3 * at + 1]")), told) << "i is stepped";
+    EXPECT_EQ(after(text, replaced(text, "y[3 * i + 1]", "int at = i; y[3 * at + 1]")), Loud{}) << "that of this turn";
+    EXPECT_EQ(after(text, replaced(text, "y[3 * i + 1]", "int at = i; ++i; y[3 * at + 1]")), told) << "i is stepped";
+    EXPECT_EQ(after(text, replaced(replaced(text, "  for", "  int at = 0;\n  for"), "3 * i + 1", "3 * at + 1")), told);
     EXPECT_EQ(after(text, named("(n + 7)", "float most = n + 7; most += 1;", "most")), told);
     EXPECT_EQ(after(text, named("(n + 7)", "float most = n + 7; grow(&most);", "most")), told);
     EXPECT_EQ(after(text, named("(n + 7)", "const float most = n + 7; grow(n);", "most")), told) << "by reference";

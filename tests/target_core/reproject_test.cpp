@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/glm.hpp>
 
@@ -96,7 +97,7 @@ TEST(Motion, OfAnInstanceIsThatOfItsMatrixAndWhatLayBehindTheEyeIsOutside) {
 TEST(Motion, OfVerticesIsThatOfTheSamePlaceBetweenThem) {
     look_from({0, 0, 0}, 0, {0, 0, 0}, 0);
     settings.motion = target_core::VERTICES_MOVE;
-    const auto bits = [](uint32_t word) { return vec4(target_core::uintBitsToFloat(word), 0, 0, 0); };
+    const auto bits = [](uint32_t word) { return vec4(std::bit_cast<float>(word), 0, 0, 0); };
     const vec4 motions[] = {{1, 0, 0, 2},  {0, 1, 0, 0}, {0, 0, 1, 0}, bits(0),      {0, -1, 0, 0}, {1, 0, 0, 0},
                             {0, 0, 1, -5}, bits(8),      {9, 9, 9, 0}, {4, 1, 0, 0}, {3, 0, 0, 0},  {6, 0, 0, 0}};
     const target_core::uvec4 triangles[] = {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {2, 3, 1, 0}};
