@@ -8,6 +8,7 @@
 #include "porttool/compare/meaning.h"
 #include "porttool/compare/numbered_text.h"
 #include "porttool/compare/plain_references.h"
+#include "porttool/compare/plain_statement.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/normal/locals.h"
@@ -21,27 +22,6 @@ namespace {
 constexpr size_t kMostComputed = 5'000;  ///< of each text
 
 bool is_shading(Language language) { return traits_of(language).literals == Literals::Shading; }
-
-bool are_alike(const BySide<Words>& texts, const Dialect& dialect, const BySide<Language>& languages,
-               bool own_operators) {
-    if (texts.source.size() > kMostComputed || texts.target.size() > kMostComputed) return false;
-    const NumberedText source(without_hints(without_prelude(texts.source))),
-        target(without_hints(without_prelude(texts.target)));
-    const BySide<Words> plain = with_plain_references({source.words(), target.words()});
-    const Words none;
-    const Meaning meaning({none, plain.source, none, plain.target}, dialect, languages);
-    const auto statements = [&](const Words& words, Side side) {
-        return split_statements(words, [&meaning, side](const Words& statement, bool in_body) {
-            return meaning.translate(statement, side, in_body);
-        });
-    };
-    const std::vector<Statement> here = statements(plain.source, Side::Source),
-                                 there = statements(plain.target, Side::Target);
-    const bool shading = is_shading(languages.source) || is_shading(languages.target);
-    const ReadingManner manner{dialect, shading, {}, own_operators};
-    // Whose classes stand for whose vectors is asked from the side that has vectors.
-    return give_the_same({here, manner}, {there, manner}) || give_the_same({there, manner}, {here, manner});
-}
 
 /// What a function reads, calls, promises and how it is made: its words but for locals, the types of numbers and what
 /// heads a branch. Other statements for one value bring none and take none.
@@ -61,12 +41,39 @@ std::set<std::string_view> words_that_count(const Words& text) {
 }  // namespace
 
 bool compute_alike(const BySide<Words>& texts, const Dialect& dialect, const BySide<Language>& languages) {
-    return are_alike(texts, dialect, languages, false);
+    if (texts.source.size() > kMostComputed || texts.target.size() > kMostComputed) return false;
+    const NumberedText source(without_hints(without_prelude(texts.source))),
+        target(without_hints(without_prelude(texts.target)));
+    const BySide<Words> plain = with_plain_references({source.words(), target.words()});
+    const Words none;
+    const Meaning meaning({none, plain.source, none, plain.target}, dialect, languages);
+    const auto statements = [&](const Words& words, Side side) {
+        return split_statements(words, [&meaning, side](const Words& statement, bool in_body) {
+            return meaning.translate(statement, side, in_body);
+        });
+    };
+    const std::vector<Statement> here = statements(plain.source, Side::Source),
+                                 there = statements(plain.target, Side::Target);
+    const bool shading = is_shading(languages.source) || is_shading(languages.target);
+    const ReadingManner manner{dialect, shading, {}};
+    // Whose classes stand for whose vectors is asked from the side that has vectors.
+    return give_the_same({here, manner}, {there, manner}) || give_the_same({there, manner}, {here, manner});
 }
 
 bool computes_as_before(const Words& before, const Words& now, const Dialect& dialect, Language language) {
     if (words_that_count(before) != words_that_count(now)) return false;
-    return are_alike({before, now}, dialect, {language, language}, true);
+    if (before.size() > kMostComputed || now.size() > kMostComputed) return false;
+    const NumberedText then(without_hints(without_prelude(before))), today(without_hints(without_prelude(now)));
+    PlainStatements plain(UnitKind::Function, language, dialect);
+    plain.note_vectors_of(then.words());
+    plain.note_vectors_of(today.words());
+    const auto statements = [&](const Words& words) {
+        return split_statements(
+            words, [&](const Words& statement, bool in_body) { return plain.translate(statement, in_body); });
+    };
+    const ReadingManner manner{dialect, is_shading(language), {}, true};
+    const std::vector<Statement> old_one = statements(then.words()), new_one = statements(today.words());
+    return give_the_same({old_one, manner}, {new_one, manner});
 }
 
 }  // namespace porttool

@@ -99,6 +99,7 @@ Machine::Operand Machine::expression(Reader& in, MachineState& state) {
         const Value yes = whole(expression(in, state));
         in.expect(":");
         const Value no = whole(expression(in, no_state));
+        check_choice(condition, yes, no);
         out = {table_.choice(condition, yes, no), {}};
         state = chosen(table_, condition, state, no_state);
     }
@@ -106,11 +107,25 @@ Machine::Operand Machine::expression(Reader& in, MachineState& state) {
     return out;
 }
 
+/// Two numbers of two types become one type first, whichever is given; a vector is chosen by its parts.
+void Machine::check_choice(Value condition, Value yes, Value no) const {
+    const std::string_view one = table_.type(yes), other = table_.type(no);
+    if (one != other && (manner_.own_operators || (!one.empty() && !other.empty()))) throw Unread();
+    if (manner_.own_operators && !is_truth(condition)) throw Unread();
+}
+
+/// True for what is known to be taken as a condition as it is.
+bool Machine::is_truth(Value value) const {
+    const std::string_view type = table_.type(value);
+    return type == "bool" || is_scalar_type(type) || is_pointer(type);
+}
+
 /// `a && b`: what b does to the world is done only where a holds.
 Value Machine::both_ways(Reader& in, MachineState& state, std::string_view operation, Value left, int least) {
     MachineState after = state;
     const Value right = whole(binary(in, after, least));
     state = operation == "&&" ? chosen(table_, left, after, state) : chosen(table_, left, state, after);
+    if (manner_.own_operators && !(is_truth(left) && is_truth(right))) return table_.node(operation, {left, right});
     return table_.binary(operation, left, right);
 }
 
@@ -138,7 +153,8 @@ Machine::Operand Machine::unary(Reader& in, MachineState& state) {
         if (++depth_ > kDeepestExpression) throw Unread();
         const Value value = whole(unary(in, state));
         --depth_;
-        if (word == "+" && is_plain_type(table_.type(value))) return {value, {}};
+        if (word == "+" && is_scalar_type(table_.type(value))) return {value, {}};
+        if (word == "!" && manner_.own_operators && !is_truth(value)) throw Unread();
         const std::string type(word == "!" ? std::string_view("bool") : table_.type(value));
         return {table_.node(word == "-" ? "negative" : word, {value}, type), {}};
     }
@@ -158,6 +174,14 @@ Machine::Operand Machine::unary(Reader& in, MachineState& state) {
     return postfix(in, state, primary(in, state));
 }
 
+/// True for brackets around one name that is no local, or around the name of a macro.
+bool Machine::holds_foreign_name(const Text& words, size_t first, size_t end, bool is_one_name) {
+    if (is_one_name) return true;
+    return std::any_of(
+        words.begin() + static_cast<std::ptrdiff_t>(first), words.begin() + static_cast<std::ptrdiff_t>(end),
+        [](const std::string& word) { return is_word_token(word) && is_shouted(word) && word != "NULL"; });
+}
+
 Machine::Operand Machine::cast_or_group(Reader& in, MachineState& state) {
     size_t close = in.at + 1;
     bool may_be_type = close < in.end && is_word_token(in.words[close]);
@@ -174,6 +198,8 @@ Machine::Operand Machine::cast_or_group(Reader& in, MachineState& state) {
         const Value value = whole(unary(in, state));
         return {table_.converted(value, type), {}};
     }
+    // `( T ) - a` is a cast if T is a type, and `( N ) * 2` may be more than N is where that is a macro.
+    if (manner_.own_operators && holds_foreign_name(in.words, in.at + 1, close, may_be_type)) throw Unread();
     ++in.at;
     Operand inner = expression(in, state);
     in.expect(")");
@@ -244,7 +270,8 @@ Machine::Operand Machine::of_local(size_t local, const MachineState& state) {
 
 Machine::Operand Machine::of_world(Value address, std::string_view type, const MachineState& state) {
     // What was stored there last is there.
-    if (table_.operation(state.world) == "store" && table_.parts(state.world)[1] == address)
+    const bool is_sure = !manner_.own_operators || !type.empty();
+    if (is_sure && table_.operation(state.world) == "store" && table_.parts(state.world)[1] == address)
         return {table_.parts(state.world)[2], {Place::Kind::World, 0, {}, address}};
     return {table_.node("load", {state.world, address}, type), {Place::Kind::World, 0, {}, address}};
 }
@@ -319,16 +346,26 @@ Value Machine::constructed(const std::string& type, const std::vector<Operand>& 
 
 Machine::Operand Machine::call(const std::string& name, Reader& in, MachineState& state) {
     const Value before = state.world;
+    const size_t first = in.at;
     const std::vector<Operand> operands = arguments(in, state, ")");
     const std::string type = common_type(name);
     if (is_type_word(type)) return {constructed(type, operands), {}};
     std::vector<Value> values;
     const PureCall pure = pure_call(name, manner_.dialect);
     for (const Operand& operand : operands) values.push_back(pure.is_pure ? whole(operand) : operand.value);
+    if (pure.is_pure && manner_.own_operators) return {table_.node(name, values), {}};  // nothing is known of overloads
     if (pure.is_pure) return {table_.node(pure.name, values, type_of_call(pure, table_, values)), {}};
     // A macro may evaluate what it is given more than once, or not at all.
     if (is_shouted(name) && state.world != before) throw Unread();
-    return {unknown_call("call " + name, std::move(values), operands, state), {}};
+    return {unknown_call("call " + name + as_written(in, first), std::move(values), operands, state), {}};
+}
+
+/// What a macro is given counts as it is written.
+std::string Machine::as_written(const Reader& in, size_t first) const {
+    std::string out;
+    if (!manner_.own_operators) return out;
+    for (size_t i = first; i < in.at; ++i) out += " " + in.words[i];
+    return out;
 }
 
 Machine::Operand Machine::method(const std::string& name, Operand object, Reader& in, MachineState& state) {

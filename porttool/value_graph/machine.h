@@ -87,6 +87,10 @@ private:
         }
     };
 
+    void check_choice(Value condition, Value yes, Value no) const;
+    bool is_truth(Value value) const;
+    static bool holds_foreign_name(const Text& words, size_t first, size_t end, bool is_one_name);
+    std::string as_written(const Reader& in, size_t first) const;
     Operand expression(Reader& in, MachineState& state);
     Operand binary(Reader& in, MachineState& state, int least);
     Operand unary(Reader& in, MachineState& state);
@@ -111,7 +115,8 @@ private:
     Value replaced(Value whole, const std::vector<Value>& path, size_t at, Value value);
 
     Value updated(const std::string& operation, Value left, Value right);
-    Value assigned(Reader& in, MachineState& state);
+    Value stored_in_unknown(Value value, std::string_view type);
+    Value assigned(Reader& in, MachineState& state, bool is_taken);
     static std::string bounds(Reader& in);
     Value initial_value(Reader& in, const LocalKind& kind, const std::string& bounds, bool copies, MachineState& state);
     bool starts_declaration(const Text& words, size_t first, size_t end, const MachineState& state) const;

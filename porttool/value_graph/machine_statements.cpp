@@ -12,6 +12,7 @@ namespace porttool {
 
 std::string Machine::common_type(std::string_view word) const {
     if (const auto found = manner_.types.find(word); found != manner_.types.end()) return found->second;
+    if (manner_.own_operators && !is_type_word(word)) return std::string(word);  // `real` may be anything
     const std::string* known = manner_.dialect.meaning(word);
     return known != nullptr && !known->empty() ? *known : std::string(word);
 }
@@ -53,18 +54,25 @@ void Machine::note_written(const Place& place, Value whole, Value value, const L
     state.world = table_.node("wrote", std::move(parts));
 }
 
+/// What becomes of a value in a place whose type is not known.
+Value Machine::stored_in_unknown(Value value, std::string_view type) {
+    return manner_.own_operators && type.empty() ? table_.node("stored", {value}) : value;
+}
+
 /// Returns what stands there now.
 Value Machine::store(const Place& place, Value value, MachineState& state) {
     if (place.kind == Place::Kind::None) throw Unread();
     if (place.kind == Place::Kind::World) {
-        value = table_.converted(value, pointed_at(table_.type(place.address)));
+        const std::string type = pointed_at(table_.type(place.address));
+        value = stored_in_unknown(table_.converted(value, type), type);
         state.world = table_.node("store", {state.world, place.address, value});
         return value;
     }
     const LocalKind& kind = kinds_.at(place.local);
     const bool all_of_it = place.path.empty();
     if (all_of_it && kind.array) throw Unread();
-    if (all_of_it || (kind.array && place.path.size() == 1)) value = table_.converted(value, kind.type);
+    const bool has_type = all_of_it || (kind.array && place.path.size() == 1);
+    value = has_type ? table_.converted(value, kind.type) : stored_in_unknown(value, {});
     Value& local = state.locals.at(place.local);
     if (!all_of_it && kind.opaque) note_written(place, local, value, kind, state);
     local = replaced(local, place.path, 0, value);
@@ -73,23 +81,27 @@ Value Machine::store(const Place& place, Value value, MachineState& state) {
 
 Value Machine::updated(const std::string& operation, Value left, Value right) {
     const std::string type(table_.type(left));
-    if (!manner_.own_operators || is_plain_type(type) || is_pointer(type)) return table_.binary(operation, left, right);
+    if (!manner_.own_operators || is_scalar_type(type) || is_pointer(type))
+        return table_.binary(operation, left, right);
     return table_.node(operation + "=", {left, right}, type);
 }
 
-Value Machine::assigned(Reader& in, MachineState& state) {
+/// `is_taken`: something is done with the value.
+Value Machine::assigned(Reader& in, MachineState& state, bool is_taken) {
+    const bool points = in.peek() == "*";
     const bool step_first = in.peek() == "++" || in.peek() == "--";
     const std::string step(step_first ? in.words[in.at++] : std::string());
     const Operand left = expression(in, state);
     const std::string word(in.peek());
     if (step_first || word == "++" || word == "--") {
         if (!step_first) ++in.at;
+        if (!step_first && (points || is_taken)) throw Unread();  // `* p ++` steps p; `a = b ++` takes what was
         const std::string operation = (step_first ? step : word).substr(0, 1);
         return store(left.place, updated(operation, whole(left), table_.number("1", manner_.shading)), state);
     }
     if (word == "=") {
         ++in.at;
-        return store(left.place, assigned(in, state), state);
+        return store(left.place, assigned(in, state, true), state);
     }
     const bool shifts = (word == "<" || word == ">") && in.peek(1) == word + "=";
     const std::string operation = shifts ? word + word : word.substr(0, word.empty() ? 0 : word.size() - 1);
@@ -191,7 +203,7 @@ void Machine::run_plain(const Text& words, size_t first, size_t end, MachineStat
     }
     while (in.at < end) {
         const MachineState before = state;
-        const Value value = assigned(in, state);
+        const Value value = assigned(in, state, false);
         // Nobody takes the value: if anything comes of it, it is by an operator or a function of its own making.
         const bool did_something = state.world != before.world || state.locals != before.locals;
         if (!did_something || manner_.own_operators) state.world = table_.node("evaluated", {state.world, value});

@@ -161,9 +161,11 @@ private:
     /// True for a null pointer, and for the number 0 that a number or a pointer is compared with.
     bool is_nothing(Value value, Value other) const {
         const std::string_view operation = table_.operation(value);
-        if (operation == "load") return is_null(table_.operation(table_.parts(value)[1]));
+        const std::string_view type = table_.type(other);
+        if (operation == "load")
+            return is_null(table_.operation(table_.parts(value)[1])) && (type.empty() || is_pointer(type));
         const bool zero = operation == "number" && table_.operation(table_.parts(value)[0]) == "0";
-        return zero && (is_scalar_type(table_.type(other)) || is_pointer(table_.type(other)));
+        return zero && (is_scalar_type(type) || is_pointer(type));
     }
 
     Value done_by(const Text& words, Part part) {
@@ -192,11 +194,14 @@ private:
 
 bool same_words(const Statement& one, const Statement& other) { return one.key == other.key; }
 
-/// A function's head in which a parameter `float a [ ]` is `float * a`.
+/// A function's head in which a parameter `float a [ ]` is `float * a`. Of ISPC's words each binds to its own.
 Text with_pointers(const Text& head) {
+    if (std::any_of(head.begin(), head.end(), [](const auto& word) { return is_one_of(word, {"uniform", "varying"}); }))
+        return head;
     Text out;
     for (size_t i = 0; i < head.size(); ++i) {
-        const bool is_array = i + 2 < head.size() && local_of(head[i]) != 0 && head[i + 1] == "[" && head[i + 2] == "]";
+        const bool is_array = i + 3 < head.size() && local_of(head[i]) != 0 && head[i + 1] == "[" &&
+                              head[i + 2] == "]" && is_one_of(head[i + 3], {",", ")"});
         if (is_array) out.emplace_back("*");
         out.push_back(head[i]);
         i += is_array ? 2 : 0;
@@ -212,7 +217,7 @@ bool are_respelled(const ReadFunction& one, const ReadFunction& other) {
     for (size_t i = 0; i < here.size(); ++i)
         if (here[i].head != there[i].head || here[i].is_brace() != there[i].is_brace()) return false;
     if (with_pointers(here[0].common) != with_pointers(there[0].common)) return false;
-    ValueTable table;
+    ValueTable table(true);
     Reading first(table, one.manner), second(table, other.manner);
     first.read_head(here[0].common);
     second.read_head(there[0].common);

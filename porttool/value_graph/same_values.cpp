@@ -40,7 +40,7 @@ std::optional<std::map<std::string, std::string, std::less<>>> type_names(const 
 }  // namespace
 
 bool give_the_same(const ReadFunction& one, const ReadFunction& other) {
-    ValueTable table;
+    ValueTable table(one.manner.own_operators);
     try {
         const std::vector<Step> here = as_tree(one.statements), there = as_tree(other.statements);
         if (here.size() != 1 || there.size() != 1) return false;

@@ -109,9 +109,23 @@ Value ValueTable::converted(Value value, std::string_view type) {
     return node("as " + std::string(type), {value}, type);
 }
 
+bool ValueTable::is_known(std::string_view type) const {
+    return only_numbers_ ? is_scalar_type(type) : is_plain_type(type);
+}
+
+bool ValueTable::may_swap(std::string_view operation, Value left, Value right) const {
+    if (!is_known(type(left)) || !is_known(type(right)) || !is_commutative(operation)) return false;
+    if (!only_numbers_ || operation != "+" || type(left) == "int" || type(left) == "uint") return true;
+    const auto may_be_product = [&](Value value) {
+        const std::string_view made = this->operation(value);
+        return made == "*" || made == "negative" || made == "?:" || made.starts_with("as ");
+    };
+    return !may_be_product(left) || !may_be_product(right);
+}
+
 Value ValueTable::binary(std::string_view operation, Value left, Value right) {
     if (operation == ">" || operation == ">=") {
-        const bool known = is_plain_type(type(left)) && is_plain_type(type(right));
+        const bool known = is_known(type(left)) && is_known(type(right));
         if (known) return binary(operation == ">" ? "<" : "<=", right, left);
     }
     if (operation == "&&" || operation == "||") return node(operation, {left, right}, "bool");
@@ -122,7 +136,7 @@ Value ValueTable::binary(std::string_view operation, Value left, Value right) {
         left = converted(left, common);
         right = converted(right, common);
     }
-    const bool plain = is_plain_type(type(left)) && is_plain_type(type(right));
+    const bool plain = is_known(type(left)) && is_known(type(right));
     if (operation == "!=" && plain) return node("!", {binary("==", left, right)}, "bool");
     // Of whole numbers one is less or the other is not more.
     const auto whole = [&](Value value) { return type(value) == "int" || type(value) == "uint"; };
@@ -131,7 +145,8 @@ Value ValueTable::binary(std::string_view operation, Value left, Value right) {
     const bool moves_pointer = (operation == "+" || operation == "-") && type(left).ends_with('*');
     if ((shifts && is_scalar_type(type(left))) || moves_pointer) result = type(left);
     if (compares(operation) && is_scalar_type(type(left))) result = "bool";
-    if (plain && is_commutative(operation) && right < left) std::swap(left, right);
+    if (result == "bool" && !compares(operation)) result = "int";
+    if (right < left && may_swap(operation, left, right)) std::swap(left, right);
     return node(operation, {left, right}, result);
 }
 

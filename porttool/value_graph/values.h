@@ -28,6 +28,11 @@ struct Unread {};
 ///     { x , y } . y                 y
 class ValueTable {
 public:
+    ValueTable() = default;
+    /// `only_numbers`: nothing is known of what is called a vector, which may be a class of that name, and no product
+    /// changes its place in a sum of two, since a compiler may join either with the sum.
+    explicit ValueTable(bool only_numbers) : only_numbers_(only_numbers) {}
+
     /// A node with no type, or the type that is given: "float", "vec3", "" for one that is not known.
     Value node(std::string_view operation, std::vector<Value> parts = {}, std::string_view type = {});
 
@@ -59,8 +64,11 @@ private:
     };
 
     uint32_t name(std::string_view text);
+    bool is_known(std::string_view type) const;
+    bool may_swap(std::string_view operation, Value left, Value right) const;
     bool is_number(Value value) const { return operation(value) == "number"; }
 
+    bool only_numbers_ = false;
     std::map<std::string, uint32_t, std::less<>> numbers_of_names_;
     std::deque<std::string> names_;  // deques: what is asked of one value lives on while others are made
     std::deque<Node> nodes_;

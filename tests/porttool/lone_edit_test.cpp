@@ -570,6 +570,58 @@ TEST(LoneEdit, WhatIsNearAnotherSpellingIsFound) {
     }
 }
 
+/// Spellings that look alike and are not: what a stranger found, each with the values that part.
+const std::vector<std::pair<std::string, std::string>> kTraps = {
+    {"y = k++;", "y = ++k;"},
+    {"k = z->n--;", "k = --z->n;"},
+    {"p[i] = k++;", "p[i] = ++k;"},
+    {"for (; k < n; i = k++) y = k;", "for (; k < n; i = ++k) y = k;"},
+    {"*p++;", "(*p)++;"},
+    {"y = *p++;", "y = (*p)++;"},
+    {"r = (float)(c ? i : u);", "r = c ? (float)i : (float)u;"},
+    {"int t = c ? i : s; use(t);", "int t = c ? i : (int)s; use(t);"},
+    {"r = (real_t)-i / n;", "r = (real_t)-(i / n);"},
+    {"r = (real_t)-i % n + b;", "r = (real_t)-(i % n) + b;"},
+    {"r = z->n = s;", "z->n = r = s;"},
+    {"int m[2][2]; r = m[0][1] = s;", "int m[2][2]; m[0][1] = r = s;"},
+    {"y = SQ(s + b);", "y = SQ((s + b));"},
+    {"y = SQ(s + b);", "y = SQ(b + s);"},
+    {"y = (N) * 2;", "y = N * 2;"},
+    {"r = s - (N);", "r = s - N;"},
+    {"r = s - (N * i);", "r = s - N * i;"},
+    {"CHECK(i + n);", "CHECK(n + i);"},
+    {"float t = (float)d * d; use(t);", "float t = d * d; use(t);"},
+    {"real t = (float)d * i; use(t);", "real t = d * (float)i; use(t);"},
+    {"float t = sqrt(s) * b; use(t);", "float t = (float)sqrt(s) * b; use(t);"},
+    {"r = expf(s) * __expf(b);", "r = __expf(s) * expf(b);"},
+    {"r = s * b + r * a[i];", "r = r * a[i] + s * b;"},
+    {"v = v ^ w;", "v = w ^ v;"},
+    {"v = v * w;", "v = w * v;"},
+    {"v *= w;", "v = v * w;"},
+    {"r = !m ? a[0] : b;", "r = m ? b : a[0];"},
+    {"r = (m && c) ? a[0] : b;", "r = m ? (c ? a[0] : b) : b;"},
+    {"std::optional<int*> x = h(); if (x != nullptr) y = 1;", "std::optional<int*> x = h(); if (x) y = 1;"},
+    {"int t = bool(i) + bool(n); use(t);", "int t = bool(bool(i) + bool(n)); use(t);"},
+};
+
+TEST(LoneEdit, WhatOnlyLooksLikeAnotherSpellingIsFound) {
+    for (const char* suffix : {".cpp", ".cl", ".cu"})
+        for (const auto& [from, to] : kTraps) {
+            const std::string text =
+                "void f(const float* a, int i, int n, int k, int y, unsigned u, float s, float b, float r, bool c, "
+                "int* p, S* z, double d, Vec4f v, Vec4f w, int4 m) {\n    " +
+                from + "\n    use(y, r, k, u, v);\n}\n";
+            const LabelledEdit there{suffix, text, from, to}, back{suffix, replaced(text, from, to), to, from};
+            EXPECT_NE(rules_after(there, ""), std::vector<std::string>{}) << shown(there);
+            EXPECT_NE(rules_after(back, ""), std::vector<std::string>{}) << shown(back);
+        }
+    for (const auto& [suffix, from, to] : {std::tuple(".cpp", "float a[][3]", "float* a[3]"),
+                                           std::tuple(".ispc", "uniform float a[]", "uniform float* a")}) {
+        const std::string text = "void f(" + std::string(from) + ", int n) {\n    n = 0;\n}\n";
+        EXPECT_NE(rules_after({suffix, text, from, to}, ""), std::vector<std::string>{}) << to;
+    }
+}
+
 TEST(LoneEdit, AStructIsItsFieldsHoweverItIsNamed) {
     const std::string body = "typedef struct { float x, y; int n; } f;\n";
     for (const char* now : {"typedef struct f { float x; float y; int n; } f;", "struct f { float x, y; int n; };"})
