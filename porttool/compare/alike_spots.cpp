@@ -44,6 +44,10 @@ public:
         const size_t old_head = end_of_head(edit.before), new_head = end_of_head(edit.now);
         for (size_t i = 0; i < old_head; ++i) --head_[common(edit.before[i])];
         for (size_t i = 0; i < new_head; ++i) ++head_[common(edit.now[i])];
+        for (size_t i = 0; i < new_head; ++i)
+            if (const std::string word = common(edit.now[i]); is_taken(word) && head_[word] > 0) taken_.push_back(word);
+        for (const auto& [word, more] : head_)
+            if (more != 0 && (is_type_word(word) || word == "*" || word == "&")) types_[word] = more;
         read_body(old_head, new_head);
     }
 
@@ -62,7 +66,17 @@ public:
         });
     }
 
+    /// True if both heads came to take the same, in one order and of one type, or one of the two took it before.
+    bool takes_the_same(const SpotsOfSide& other) const {
+        return taken_ != other.taken_ ? taken_.empty() || other.taken_.empty()
+                                      : taken_.empty() || types_ == other.types_;
+    }
+
 private:
+    static bool is_taken(const std::string& word) {
+        return is_word_token(word) && !is_type_word(word) && !word_is(word, kDropped | kPromise | kHeadPromise);
+    }
+
     std::string common(const std::string& word) const {
         std::string out = common_word(word, dialect_);
         return out.empty() ? word : out;
@@ -99,7 +113,9 @@ private:
     const SideEdit& edit_;
     Side side_;
     const Dialect& dialect_;
-    std::map<std::string, long> head_;  ///< how many more of each word there are in the head
+    std::map<std::string, long> head_;   ///< how many more of each word there are in the head
+    std::map<std::string, long> types_;  ///< of these what types are made of
+    Text taken_;                         ///< names that came into the head, in their order
     std::vector<BodySpot> spots_;
 };
 
@@ -138,17 +154,23 @@ private:
         return true;
     }
 
-    /// The next words before the two places, brackets apart, stand for each other.
+    /// The next words before the two places stand for each other, with the same brackets between: `f(a) * k` and
+    /// `f(a * k)` have their new words behind `a`, and at two places.
     bool meets_before(size_t here, size_t there) const {
-        while (here > 0 && is_bracket(source_[here - 1])) --here;
-        while (there > 0 && is_bracket(target_[there - 1])) --there;
-        return here > 0 && there > 0 && word_of_[here - 1] == there - 1;
+        while (here > 0 && there > 0 && is_bracket(source_[here - 1]) && source_[here - 1] == target_[there - 1]) {
+            --here;
+            --there;
+        }
+        return here > 0 && there > 0 && word_of_[here - 1] == there - 1 && !is_bracket(source_[here - 1]);
     }
 
     bool meets_behind(size_t here, size_t there) const {
-        while (here < source_.size() && is_bracket(source_[here])) ++here;
-        while (there < target_.size() && is_bracket(target_[there])) ++there;
-        return here < source_.size() && there < target_.size() && word_of_[here] == there;
+        while (here < source_.size() && there < target_.size() && is_bracket(source_[here]) &&
+               source_[here] == target_[there]) {
+            ++here;
+            ++there;
+        }
+        return here < source_.size() && there < target_.size() && word_of_[here] == there && !is_bracket(source_[here]);
     }
 
     const Text &source_, &target_;
@@ -166,7 +188,9 @@ bool edits_spot_by_spot(const PairTexts& texts, const Dialect& dialect) {
     if (source.guarded != target.guarded) return false;
     const SpotsOfSide here(source, Side::Source, dialect), there(target, Side::Target, dialect);
     const std::vector<BodySpot>&a = here.spots(), &b = there.spots();
-    if (a.empty() || a.size() != b.size() || !here.head_follows(target) || !there.head_follows(source)) return false;
+    if (a.empty() || a.size() != b.size() || !here.head_follows(target) || !there.head_follows(source) ||
+        !here.takes_the_same(there))
+        return false;
     for (size_t i = 0; i < a.size(); ++i)
         if (a[i].lost != b[i].lost || a[i].gained != b[i].gained) return false;
     const Places places(source.before, target.before, dialect);

@@ -166,6 +166,45 @@ TEST(WeighedEdit, WordForWordAtTheSamePlaces) {
     });
 }
 
+TEST(WeighedEdit, WordsBehindAnotherBracketStandAtAnotherPlace) {
+    const auto sides = [](const std::string& in_source, const std::string& in_target, const std::string& more = "",
+                          const std::string& more_there = "") {
+        return BySide<std::string>{
+            "void f(float* out, const float* x, const float* y, float s, float a, float d, float k, int i" + more +
+                ") {\n  float b = s - d;\n  " + in_source + "\n  keep(out, b);\n}\n",
+            "void f(span out, span x, span y, float s, float a, float d, float k, int n" + more_there + ") {\n  " +
+                in_target + "\n  out.settle();\n  keep(out, s - d);\n}\n"};
+    };
+    const BySide<std::string> sum = sides("out[i] = s * (a + d);", "scale(out, n, a + d);"),
+                              root = sides("out[i] = sqrt(x[i]) - y[i];", "sub(sqrt(x[i]), y[i], out);"),
+                              part = sides("out[i] = a / d * x[i];", "axpy(n, a / d, x, out);");
+    expect_all({
+        {"inside", sum, sides("out[i] = s * (a + d * k);", "scale(out, n, a + d * k);"), {}},
+        {"behind and inside", sum, sides("out[i] = s * (a + d) * k;", "scale(out, n, a + d * k);"), {"port-differs"}},
+        {"the root and its argument",
+         root,
+         sides("out[i] = sqrt(x[i]) * k - y[i];", "sub(sqrt(x[i] * k), y[i], out);"),
+         {"port-differs"}},
+        {"a value and its index",
+         root,
+         sides("out[i] = sqrt(x[i]) - y[i] * k;", "sub(sqrt(x[i]), y[i * k], out);"),
+         {"port-differs"}},
+        {"a parameter of one type",
+         part,
+         sides("out[i] = a / (d + m) * x[i];", "axpy(n, a / (d + m), x, out);", ", float m", ", float m"),
+         {}},
+        {"of another type",
+         part,
+         sides("out[i] = a / (d + m) * x[i];", "axpy(n, a / (d + m), x, out);", ", float m", ", int m"),
+         {"port-differs"}},
+        {"in another order",
+         part,
+         sides("out[i] = a / (d + m - l) * x[i];", "axpy(n, a / (d + m - l), x, out);", ", float m, float l",
+               ", float l, float m"),
+         {"port-differs"}},
+    });
+}
+
 TEST(WeighedEdit, ATruthAndANumberThatIsNotZero) {
     const std::string from = "y[out] = x[at];", there = "y.store(out, x.load(at));";
     expect_all({
