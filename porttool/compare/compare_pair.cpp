@@ -139,6 +139,7 @@ private:
                 alike_in_words_of_pair(texts, languages) || alike_without_order_of_cases(texts, languages);
         if (edits.equivalent && declared_alike()) out_.standing = Standing::Equivalent;
         out_.missing = std::move(edits.differences);
+        out_.displaced = edits.displaced && !edits.equivalent;
         if (edits.equivalent && out_.standing != Standing::Equivalent)
             out_.missing = {
                 "the two sides declare what they use, or how they are called, otherwise than before, and "

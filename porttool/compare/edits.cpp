@@ -41,9 +41,13 @@ EditComparison compare_as_named(const PairTexts& texts, const Dialect& dialect, 
     out.equivalent = same_replacements(source, target);
     if (out.equivalent) return out;
     const bool alike = same_words(source, target);
-    out.differences = alike ? other_positions(source, target) : missing_statements(source, target);
+    if (!alike) out.differences = missing_statements(source, target);
+    if (out.differences.empty()) {
+        PositionDifferences positions = other_positions(source, target);
+        out.differences = std::move(positions.sentences);
+        out.displaced = positions.is_sure;
+    }
     out.equivalent = alike && out.differences.empty();
-    if (out.differences.empty() && !alike) out.differences = other_positions(source, target);
     if (out.differences.empty() && !alike) out.differences.emplace_back("the two sides were rearranged differently");
     return out;
 }

@@ -27,6 +27,7 @@ struct Edit {
 struct EditComparison {
     bool equivalent = false;
     std::vector<std::string> differences;  ///< sentences: what is missing on which side
+    bool displaced = false;                ///< what both did is the same, and surely at another place
 };
 
 /// Compares the edit before -> now of the source with that of the target. All four are tokens in normal form. Locals

@@ -3,8 +3,11 @@
 #include "porttool/compare/positions.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "porttool/language/words.h"
+#include "porttool/normal/declaration_words.h"
 #include "porttool/normal/diff.h"
 
 namespace porttool {
@@ -53,6 +56,75 @@ bool same_position(const std::vector<Anchor>& shared, size_t source, size_t targ
     return in_source == in_target;
 }
 
+/// What a statement is to those that stand beside it: the head of a loop or of a branch, the end of one, or none.
+enum class Shape : uint8_t { Plain, Loop, Branch, LoopEnd, BranchEnd, Other };
+constexpr Shape kShapes[] = {Shape::Plain, Shape::Loop, Shape::Branch, Shape::LoopEnd, Shape::BranchEnd};
+
+Shape shape_of(const std::vector<Statement>& statements, size_t i) {
+    const Statement& statement = statements[i];
+    const bool ends = statement.is_brace();
+    if (ends && statement.head == Statement::kNoHead) return Shape::Other;
+    const std::vector<std::string>& words = (ends ? statements[statement.head] : statement).common;
+    const std::string_view first = words.empty() ? std::string_view() : std::string_view(words[0]);
+    const bool loops = is_one_of(first, {"for", "while", "do", "foreach"}), branches = first == "if" || first == "cif";
+    if (ends) return loops ? Shape::LoopEnd : branches ? Shape::BranchEnd : Shape::Other;
+    return loops ? Shape::Loop : branches ? Shape::Branch : Shape::Plain;
+}
+
+/// True if at least half of the names of the one statement with fewer are the other's.
+bool name_much_the_same(const Statement& one, const Statement& other) {
+    const auto names = [](const Statement& statement) {
+        std::set<std::string_view> out;
+        for (const std::string& word : statement.common)
+            if (is_word_token(word) && !word_is(word, kControls)) out.insert(word);
+        return out;
+    };
+    const std::set<std::string_view> here = names(one), there = names(other);
+    const auto common = std::count_if(here.begin(), here.end(), [&](auto word) { return there.contains(word); });
+    return common > 0 && 2 * static_cast<size_t>(common) >= std::min(here.size(), there.size());
+}
+
+/// A place of one text, and what is not held against the other's there: what was edited.
+struct PlaceOfText {
+    const std::vector<Statement>& statements;
+    size_t at;
+    const std::vector<size_t>& edited;
+
+    /// The statements of a shape within the range, and how many of them stand before the place.
+    std::pair<std::vector<size_t>, size_t> of_shape(Shape shape, size_t first, size_t end) const {
+        std::pair<std::vector<size_t>, size_t> out;
+        for (size_t i = first; i < end; ++i) {
+            const bool counts = i != at && shape_of(statements, i) == shape &&
+                                std::find(edited.begin(), edited.end(), i) == edited.end();
+            if (!counts) continue;
+            out.first.push_back(i);
+            out.second += i < at ? 1 : 0;
+        }
+        return out;
+    }
+};
+
+/// Between the statements that the sides share may stand some that each side says in its own way. Where there are as
+/// many of a shape on both, each alike, the two places must have as many of them before: `a += b` before a loop is
+/// another program than in it, though the loops' heads are not spelled alike.
+bool same_among_others(const std::vector<Anchor>& shared, const PlaceOfText& source, const PlaceOfText& target) {
+    const auto next = std::partition_point(shared.begin(), shared.end(),
+                                           [&](const Anchor& anchor) { return anchor.source < source.at; });
+    const Anchor first = next == shared.begin() ? Anchor{0, 0} : Anchor{(next - 1)->source + 1, (next - 1)->target + 1};
+    const Anchor end = next == shared.end() ? Anchor{source.statements.size(), target.statements.size()} : *next;
+    return std::all_of(std::begin(kShapes), std::end(kShapes), [&](Shape shape) {
+        const auto [here, before_here] = source.of_shape(shape, first.source, end.source);
+        const auto [there, before_there] = target.of_shape(shape, first.target, end.target);
+        if (here.size() != there.size() || before_here == before_there) return true;
+        for (size_t i = 0; i < here.size(); ++i) {
+            const Statement &one = source.statements[here[i]], &other = target.statements[there[i]];
+            const bool named = shape == Shape::Plain || shape == Shape::Branch;
+            if (named && !name_much_the_same(one, other)) return true;
+        }
+        return false;
+    });
+}
+
 /// Where a statement stands, for a reader: its block, or within the same block the statement before it.
 std::string position_of(const std::vector<Statement>& statements, size_t i, bool by_block) {
     if (by_block) return "in " + block_of(statements, i);
@@ -87,15 +159,19 @@ std::string moved_block(const StatementEdit& source, const StatementEdit& target
 
 }  // namespace
 
-std::vector<std::string> other_positions(const StatementEdit& source, const StatementEdit& target) {
-    std::vector<std::string> out;
+PositionDifferences other_positions(const StatementEdit& source, const StatementEdit& target) {
+    PositionDifferences found;
+    std::vector<std::string>& out = found.sentences;
     bool braces = false;
     const auto compare = [&](const std::vector<Anchor>& shared, const std::vector<Statement>& here,
                              const std::vector<size_t>& at, const std::vector<Statement>& there,
                              const std::vector<size_t>& other, const char* verb) {
         for (size_t k = 0; k < std::min(at.size(), other.size()); ++k) {
             const bool is_brace = here[at[k]].is_brace(), other_is_brace = there[other[k]].is_brace();
-            if (is_brace == other_is_brace && same_position(shared, at[k], other[k])) continue;
+            if (is_brace == other_is_brace && same_position(shared, at[k], other[k])) {
+                if (is_brace || same_among_others(shared, {here, at[k], at}, {there, other[k], other})) continue;
+                found.is_sure = true;
+            }
             if (is_brace || other_is_brace)
                 braces = true;
             else
@@ -106,10 +182,10 @@ std::vector<std::string> other_positions(const StatementEdit& source, const Stat
     const std::vector<Anchor> before = anchors(source.before, target.before);
     compare(still_there(before, source, target), source.now, source.gained, target.now, target.gained, "gained");
     compare(before, source.before, source.lost, target.before, target.lost, "lost");
-    if (!braces || !out.empty()) return out;
+    if (!braces || !out.empty()) return found;
     const std::string moved = moved_block(source, target);
     out.push_back(moved.empty() ? "the two sides closed a block at different places" : moved);
-    return out;
+    return found;
 }
 
 }  // namespace porttool

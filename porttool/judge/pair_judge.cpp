@@ -388,7 +388,7 @@ void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found,
     Finding& finding = findings_.add(Rule::PortDiffers, pair, change, found.missing.front());
     finding.details = found.missing;
     if (finding.details.size() > 1) finding.message += " (and " + std::to_string(finding.details.size() - 1) + " more)";
-    if (finding.level > Level::Note) weigh_edits(pair, before, finding);
+    if (finding.level > Level::Note && !found.displaced) weigh_edits(pair, before, finding);
 }
 
 /// Edits of both sides of a function that seem to be one are a note. Beside the text, how the files declare what it

@@ -205,6 +205,38 @@ TEST(WeighedEdit, WordsBehindAnotherBracketStandAtAnotherPlace) {
     });
 }
 
+TEST(WeighedEdit, WhatStandsBesideABlockIsNotWhatStandsInIt) {
+    const auto text = [](const std::string& loop, const std::string& branch, const std::string& half,
+                         const std::string& before, const std::string& in_loop, const std::string& in_branch,
+                         const std::string& behind) {
+        return "float f(const float* w, int n, float bias, float eps) {\n  float sum = 0.0f;\n" + before + loop +
+               " {\n" + in_loop + "    sum += w[j];\n  }\n" + branch + " {\n" + in_branch + "    sum = eps;\n  }\n" +
+               half + behind + "  return sum;\n}\n";
+    };
+    const auto source = [&](const auto&... edits) {
+        return text("  for (int j = 0; j < n; ++j)", "  if (sum < eps)", "  sum = sum * 0.5f;\n", edits...);
+    };
+    const auto port = [&](const auto&... edits) {
+        return text("  for (int j = 0; j != n; ++j)", "  if (eps >= sum)", "  sum *= 0.5f;\n", edits...);
+    };
+    const std::string none, gain = "    sum = sum - bias;\n";
+    const BySide<std::string> before = {source(none, none, none, none), port(none, none, none, none)};
+    const std::vector<std::string> found = {"port-differs"};
+    expect_all({
+        {"before the loop", before, {source(gain, none, none, none), port(gain, none, none, none)}, {}},
+        {"in the loop", before, {source(none, gain, none, none), port(none, gain, none, none)}, {}},
+        {"in the branch", before, {source(none, none, gain, none), port(none, none, gain, none)}, {}},
+        {"behind the half", before, {source(none, none, none, gain), port(none, none, none, gain)}, {}},
+        {"before, in", before, {source(gain, none, none, none), port(none, gain, none, none)}, found},
+        {"in, before", before, {source(none, gain, none, none), port(gain, none, none, none)}, found},
+        {"in the loop, in the branch", before, {source(none, gain, none, none), port(none, none, gain, none)}, found},
+        {"behind the half, in the branch",
+         before,
+         {source(none, none, none, gain), port(none, none, gain, none)},
+         found},
+    });
+}
+
 TEST(WeighedEdit, ATruthAndANumberThatIsNotZero) {
     const std::string from = "y[out] = x[at];", there = "y.store(out, x.load(at));";
     expect_all({

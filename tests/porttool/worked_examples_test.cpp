@@ -167,8 +167,8 @@ TEST(WorkedExamples, Positions) {
     const std::string before = "float @ ( ) { if ( a > 0 ) { a = b ; } return a ; }";
     const StatementEdit inside = edit(before, "float @ ( ) { if ( a > 0 ) { a = b ; a *= 2 ; } return a ; }");
     const StatementEdit after = edit(before, "float @ ( ) { if ( a > 0 ) { a = b ; } a *= 2 ; return a ; }");
-    EXPECT_TRUE(other_positions(inside, inside).empty());
-    EXPECT_EQ(other_positions(inside, after).size(), 1u);
+    EXPECT_TRUE(other_positions(inside, inside).sentences.empty());
+    EXPECT_EQ(other_positions(inside, after).sentences.size(), 1u);
     EXPECT_TRUE(same_words(inside, after));
 }
 
