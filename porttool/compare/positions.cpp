@@ -88,14 +88,14 @@ bool name_much_the_same(const Statement& one, const Statement& other) {
 struct PlaceOfText {
     const std::vector<Statement>& statements;
     size_t at;
-    const std::vector<size_t>& edited;
+    const std::vector<size_t>& edited;  ///< in order
 
     /// The statements of a shape within the range, and how many of them stand before the place.
     std::pair<std::vector<size_t>, size_t> of_shape(Shape shape, size_t first, size_t end) const {
         std::pair<std::vector<size_t>, size_t> out;
         for (size_t i = first; i < end; ++i) {
-            const bool counts = i != at && shape_of(statements, i) == shape &&
-                                std::find(edited.begin(), edited.end(), i) == edited.end();
+            const bool counts =
+                i != at && shape_of(statements, i) == shape && !std::binary_search(edited.begin(), edited.end(), i);
             if (!counts) continue;
             out.first.push_back(i);
             out.second += i < at ? 1 : 0;
@@ -112,6 +112,8 @@ bool same_among_others(const std::vector<Anchor>& shared, const PlaceOfText& sou
                                            [&](const Anchor& anchor) { return anchor.source < source.at; });
     const Anchor first = next == shared.begin() ? Anchor{0, 0} : Anchor{(next - 1)->source + 1, (next - 1)->target + 1};
     const Anchor end = next == shared.end() ? Anchor{source.statements.size(), target.statements.size()} : *next;
+    constexpr size_t kMostBetween = 128;  // statements; of more nothing is told
+    if (end.source - first.source > kMostBetween || end.target - first.target > kMostBetween) return true;
     return std::all_of(std::begin(kShapes), std::end(kShapes), [&](Shape shape) {
         const auto [here, before_here] = source.of_shape(shape, first.source, end.source);
         const auto [there, before_there] = target.of_shape(shape, first.target, end.target);
