@@ -44,10 +44,7 @@ public:
         const size_t old_head = end_of_head(edit.before), new_head = end_of_head(edit.now);
         for (size_t i = 0; i < old_head; ++i) --head_[common(edit.before[i])];
         for (size_t i = 0; i < new_head; ++i) ++head_[common(edit.now[i])];
-        for (size_t i = 0; i < new_head; ++i)
-            if (const std::string word = common(edit.now[i]); is_taken(word) && head_[word] > 0) taken_.push_back(word);
-        for (const auto& [word, more] : head_)
-            if (more != 0 && (is_type_word(word) || word == "*" || word == "&")) types_[word] = more;
+        read_taken(new_head);
         read_body(old_head, new_head);
     }
 
@@ -75,6 +72,19 @@ public:
 private:
     static bool is_taken(const std::string& word) {
         return is_word_token(word) && !is_type_word(word) && !word_is(word, kDropped | kPromise | kHeadPromise);
+    }
+
+    /// The names that came into the head, each with the words of its type that mean the same in all languages.
+    void read_taken(size_t new_head) {
+        std::string type;
+        for (size_t i = 0; i < new_head; ++i) {
+            const std::string word = common(edit_.now[i]);
+            if (word == "," || word == "(") type.clear();
+            if (is_type_word(word) || word == "*" || word == "&") type += word + " ";
+            if (!is_taken(word) || head_[word] <= 0) continue;
+            taken_.push_back(word);
+            types_[word] = type;
+        }
     }
 
     std::string common(const std::string& word) const {
@@ -113,9 +123,9 @@ private:
     const SideEdit& edit_;
     Side side_;
     const Dialect& dialect_;
-    std::map<std::string, long> head_;   ///< how many more of each word there are in the head
-    std::map<std::string, long> types_;  ///< of these what types are made of
-    Text taken_;                         ///< names that came into the head, in their order
+    std::map<std::string, long> head_;          ///< how many more of each word there are in the head
+    std::map<std::string, std::string> types_;  ///< of the names that came into the head
+    Text taken_;                                ///< these, in their order
     std::vector<BodySpot> spots_;
 };
 
