@@ -18,7 +18,8 @@ struct ReadingManner {
     bool shading = false;  ///< a real number without a suffix is a float
     /// What this text calls types that the other one calls otherwise.
     std::map<std::string, std::string, std::less<>> types = {};
-    /// What is no plain number may have operators of its own making: there `a += b` is not `a = a + b`.
+    /// Nothing is taken for granted that a class, a macro or an overload could have otherwise: `a += b` is `a = a + b`
+    /// of numbers alone, what a call is given counts as it is written, and a type or a built-in is what it is called.
     bool own_operators = false;
 };
 
