@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
+#include <optional>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "porttool/audit/likeness.h"
 #include "porttool/compare/plain_statement.h"
@@ -268,7 +269,7 @@ void drop_moved(std::vector<EditedPlace>& places) {
 class Renamed {
 public:
     Renamed(const std::vector<EditedPlace>& places, const Words& before, const Words& now) {
-        std::unordered_map<std::string, std::string> all;
+        Names all;
         for (const EditedPlace& place : places) {
             const std::vector<std::string> left = words_of_statement(place.before),
                                            right = words_of_statement(place.now);
@@ -276,12 +277,10 @@ public:
                 if (left[i] != right[i] && is_word_token(left[i]) && is_word_token(right[i])) all[right[i]] = left[i];
         }
         if (all.empty()) return;
-        const std::set<std::string_view> in_now(now.begin(), now.end()), in_before(before.begin(), before.end());
-        std::erase_if(all,
-                      [&](const auto& one) { return in_now.contains(one.second) || in_before.contains(one.first); });
+        drop_words_of_both(all, before, now);
         if (all.empty()) return;
         const std::vector<size_t> locals = local_numbers(before);
-        std::set<std::string_view> own;
+        std::unordered_set<std::string_view> own;
         for (size_t i = 0; i < locals.size(); ++i)
             if (locals[i] != 0) own.insert(before[i]);
         std::erase_if(all, [&](const auto& one) { return !own.contains(one.second); });
@@ -299,7 +298,26 @@ public:
     }
 
 private:
-    std::unordered_map<std::string, std::string> names_;  ///< by the new one
+    using Names = std::unordered_map<std::string, std::string>;
+
+    static void drop_words_of_both(Names& all, const Words& before, const Words& now) {
+        std::unordered_set<std::string_view> old_names, new_names;
+        for (const auto& [new_name, old_name] : all) {
+            new_names.insert(new_name);
+            old_names.insert(old_name);
+        }
+        const auto found_in = [](const Words& text, const std::unordered_set<std::string_view>& names) {
+            std::unordered_set<std::string_view> out;
+            for (const std::string_view word : text)
+                if (names.contains(word)) out.insert(word);
+            return out;
+        };
+        const auto old_in_now = found_in(now, old_names), new_in_before = found_in(before, new_names);
+        std::erase_if(
+            all, [&](const auto& one) { return old_in_now.contains(one.second) || new_in_before.contains(one.first); });
+    }
+
+    Names names_;  ///< by the new one
 };
 
 /// Marks the places where no value changed: another spelling, a qualifier, the names of locals.
@@ -315,17 +333,34 @@ void mark_idle(UnitEdit& edit, const Words& before, const Words& now, UnitKind k
         place.idle = renamed.is_all_of(place) || in_plain_words(place.before) == in_plain_words(place.now);
 }
 
-/// The tokens of a unit, without what stands in its holes, as one text to compare.
-std::string raw_text(const ScannedFile& file, const Unit& unit) {
-    std::string out;
-    auto hole = unit.holes.begin();
-    for (uint32_t i = unit.tokens.first; i < unit.tokens.end; ++i) {
-        while (hole != unit.holes.end() && hole->end <= i) ++hole;
-        if (hole != unit.holes.end() && i >= hole->first) continue;
-        out += file.lexed.view(i);
-        out += kBetweenWords;
+/// The tokens of a unit one after the other, without what stands in its holes.
+class TokensOfUnit {
+public:
+    TokensOfUnit(const ScannedFile& file, const Unit& unit)
+        : file_(file), unit_(unit), hole_(unit.holes.begin()), next_(unit.tokens.first) {}
+
+    /// None behind the last one.
+    std::optional<std::string_view> next() {
+        for (; next_ < unit_.tokens.end; ++next_) {
+            while (hole_ != unit_.holes.end() && hole_->end <= next_) ++hole_;
+            if (hole_ == unit_.holes.end() || next_ < hole_->first) return file_.lexed.view(next_++);
+        }
+        return std::nullopt;
     }
-    return out;
+
+private:
+    const ScannedFile& file_;
+    const Unit& unit_;
+    decltype(unit_.holes.begin()) hole_;
+    uint32_t next_;
+};
+
+bool have_the_same_tokens(TokensOfUnit a, TokensOfUnit b) {
+    for (;;) {
+        const auto left = a.next(), right = b.next();
+        if (left != right) return false;
+        if (!left) return true;
+    }
 }
 
 using UnitsByName = std::map<std::string_view, const Unit*>;
@@ -338,7 +373,10 @@ UnitsByName units_by_name(const ScannedFile* file) {
 }
 
 LoneVersion lone_version(const ScannedFile& file, const Unit& unit) {
-    return {unit.name, unit.kind, normal_form(file, unit)};
+    LoneVersion out{unit.name, unit.kind, normal_form(file, unit), {}};
+    for (const std::string_view word : out.text.words()) out.words.push_back(std::hash<std::string_view>()(word));
+    std::sort(out.words.begin(), out.words.end());
+    return out;
 }
 
 }  // namespace
@@ -388,6 +426,23 @@ UnitEdit unit_edit(const NormalText& before, const NormalText& now, UnitKind kin
     return out;
 }
 
+float text_likeness(const LoneVersion& a, const LoneVersion& b) {
+    constexpr size_t kLeast = 6;
+    const size_t least = std::min(a.words.size(), b.words.size()), most = std::max(a.words.size(), b.words.size());
+    if (least < kLeast || most > 3 * least) return 0;
+    size_t common = 0;
+    for (auto left = a.words.begin(), right = b.words.begin(); left != a.words.end() && right != b.words.end();) {
+        if (*left == *right) {
+            ++common;
+            ++left;
+            ++right;
+        } else {
+            ++(*left < *right ? left : right);
+        }
+    }
+    return 2.0f * static_cast<float>(common) / static_cast<float>(least + most);
+}
+
 FileEdit file_edit(const ScannedFile* before, const ScannedFile* now, const Dialect& dialect) {
     FileEdit out;
     const UnitsByName old_units = units_by_name(before), new_units = units_by_name(now);
@@ -397,7 +452,7 @@ FileEdit file_edit(const ScannedFile* before, const ScannedFile* now, const Dial
             out.came.push_back(lone_version(*now, *unit));
             continue;
         }
-        if (raw_text(*before, *old_one->second) == raw_text(*now, *unit)) continue;
+        if (have_the_same_tokens({*before, *old_one->second}, {*now, *unit})) continue;
         UnitEdit edit = unit_edit(normal_form(*before, *old_one->second), normal_form(*now, *unit), unit->kind,
                                   now->language, dialect);
         edit.before_name = edit.now_name = name;

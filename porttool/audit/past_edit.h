@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,7 +42,11 @@ struct LoneVersion {
     std::string name;
     UnitKind kind = UnitKind::Function;
     NormalText text;
+    std::vector<uint64_t> words;  ///< of the text, as numbers, in their order: to be held against many others
 };
+
+/// The share of their words that two versions have in common, 0 to 1; 0 for those too short to tell.
+float text_likeness(const LoneVersion& a, const LoneVersion& b);
 
 struct FileEdit {
     std::vector<UnitEdit> edits;

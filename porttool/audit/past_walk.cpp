@@ -8,6 +8,7 @@
 #include <future>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <unordered_map>
 
@@ -30,15 +31,21 @@ public:
         return found != files_.end() && found->second.first == blob ? found->second.second : nullptr;
     }
     void put(const std::string& path, const std::string& blob, FilePtr file) {
-        constexpr size_t kMost = 512;
+        constexpr size_t kMost = size_t{24} << 20U;  // bytes of text; what is scanned is several times as large
         const std::lock_guard lock(mutex_);
-        if (files_.size() >= kMost && !files_.contains(path)) files_.clear();
-        files_[path] = {blob, std::move(file)};
+        auto& known = files_[path];
+        if (known.second) bytes_ -= known.second->lexed.text.size();
+        bytes_ += file->lexed.text.size();
+        known = {blob, std::move(file)};
+        if (bytes_ <= kMost) return;
+        files_.clear();
+        bytes_ = 0;
     }
 
 private:
     std::mutex mutex_;
     std::unordered_map<std::string, std::pair<std::string, FilePtr>> files_;
+    size_t bytes_ = 0;  ///< of their texts
 };
 
 /// Reads versions of files and holds them against each other; one for each thread.
@@ -70,6 +77,47 @@ private:
     const Dialect& dialect_;
     LastScanned& last_;
 };
+
+using LinesOfFile = std::vector<uint64_t>;  ///< each different one once, as a number, in their order
+
+/// The lines of versions of files, as long as one commit is read.
+class LinesOfVersions {
+public:
+    /// Nothing where the version cannot be read.
+    const LinesOfFile* of(const GitRepository& git, const std::string& blob) {
+        const auto [known, is_new] = known_.try_emplace(blob);
+        if (is_new)
+            if (const auto text = git.find_blob(blob); text && unreadable_reason(*text).empty())
+                known->second = lines_of(*text);
+        return known->second ? &*known->second : nullptr;
+    }
+    void clear() { known_.clear(); }
+
+private:
+    static LinesOfFile lines_of(std::string_view text) {
+        LinesOfFile out;
+        for (size_t at = 0; at < text.size();) {
+            const size_t end = std::min(text.find('\n', at), text.size());
+            std::string_view line = text.substr(at, end - at);
+            while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
+            if (line.size() > 3) out.push_back(std::hash<std::string_view>()(line));
+            at = end + 1;
+        }
+        std::sort(out.begin(), out.end());
+        out.erase(std::unique(out.begin(), out.end()), out.end());
+        return out;
+    }
+
+    std::unordered_map<std::string, std::optional<LinesOfFile>> known_;  ///< by blob
+};
+
+/// The share of the lines of the smaller file that both have.
+double shared_lines(const LinesOfFile& a, const LinesOfFile& b) {
+    LinesOfFile common;
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+    const size_t least = std::min(a.size(), b.size());
+    return least == 0 ? 0 : static_cast<double>(common.size()) / static_cast<double>(least);
+}
 
 /// Where a followed unit stood at the moment that the walk has come to: by path and name, the ids that it has today.
 using Places = std::unordered_map<std::string, std::map<std::string, std::vector<std::string>>>;
@@ -168,6 +216,7 @@ private:
         for (const Change& edit : edits)
             if (edit.old_path != edit.path) move_file(edit);
         out_.units[commit] = static_cast<uint32_t>(touched.size());
+        lines_.clear();
     }
 
     /// The edit of a file, which may have had another name before.
@@ -222,13 +271,13 @@ private:
             return rank(a) < rank(b);
         });
         if (gone.size() > kMostTried) gone.resize(kMostTried);
-        const FilePtr now = own_.scanned(change.path, change.blob);
-        if (!now) return true;
+        const LinesOfFile* now = lines_.of(own_.git(), change.blob);
+        if (now == nullptr) return true;
         const GitChange* best = nullptr;
         double most = 0.5;
         for (const GitChange* one : gone)
-            if (const FilePtr before = own_.scanned(one->path, one->before)) {
-                const double share = shared_units(*before, *now);
+            if (const LinesOfFile* before = lines_.of(own_.git(), one->before)) {
+                const double share = shared_lines(*before, *now);
                 if (share > most) {
                     most = share;
                     best = one;
@@ -237,27 +286,6 @@ private:
         if (best == nullptr) return false;
         out.push_back({best->path, change.path, own_.edit(best->path, best->before, change.path, change.blob)});
         return true;
-    }
-
-    /// The share of the lines of the smaller file that both have.
-    static double shared_units(const ScannedFile& a, const ScannedFile& b) {
-        const auto lines = [](const ScannedFile& file) {
-            std::set<std::string_view> out;
-            const std::string_view text = file.lexed.text;
-            for (size_t at = 0; at < text.size();) {
-                const size_t end = std::min(text.find('\n', at), text.size());
-                std::string_view line = text.substr(at, end - at);
-                while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
-                if (line.size() > 3) out.insert(line);
-                at = end + 1;
-            }
-            return out;
-        };
-        const auto left = lines(a), right = lines(b);
-        size_t common = 0;
-        for (const std::string_view line : left) common += right.contains(line) ? 1 : 0;
-        const size_t least = std::min(left.size(), right.size());
-        return least == 0 ? 0 : static_cast<double>(common) / static_cast<double>(least);
     }
 
     /// Units that are new in their file: those that went from it, or from another, in the same commit.
@@ -283,6 +311,12 @@ private:
         }
     }
 
+    /// What their likeness can be by their lengths.
+    static float most_likeness(const LoneVersion& a, const LoneVersion& b) {
+        const size_t least = std::min(a.words.size(), b.words.size()), most = std::max(a.words.size(), b.words.size());
+        return most == 0 ? 0 : 2.0f * static_cast<float>(least) / static_cast<float>(least + most);
+    }
+
     const LoneVersion* origin(const LoneVersion& came, const Change& change, std::vector<Change>& edits,
                               const std::vector<GitChange>& all, std::string& from_path) {
         const LoneVersion* best = nullptr;
@@ -291,7 +325,9 @@ private:
             for (const LoneVersion& one : went) {
                 if (one.kind != came.kind) continue;
                 const bool same_name = leaf_of(one.name) == leaf_of(came.name);
-                const float like = text_likeness(one.text, came.text) + (same_name ? 0.2f : 0.0f);
+                const float bonus = same_name ? 0.2f : 0.0f;
+                if (most_likeness(one, came) + bonus <= most) continue;
+                const float like = text_likeness(one, came) + bonus;
                 if (like > most) {
                     most = like;
                     best = &one;
@@ -325,17 +361,6 @@ private:
         }
     }
 
-    static float text_likeness(const NormalText& a, const NormalText& b) {
-        constexpr size_t kLeast = 6;
-        if (a.size() < kLeast || b.size() < kLeast) return 0;
-        if (std::max(a.size(), b.size()) > 3 * std::min(a.size(), b.size())) return 0;
-        std::vector<std::string_view> left = a.words(), right = b.words(), common;
-        std::sort(left.begin(), left.end());
-        std::sort(right.begin(), right.end());
-        std::set_intersection(left.begin(), left.end(), right.begin(), right.end(), std::back_inserter(common));
-        return 2.0f * static_cast<float>(common.size()) / static_cast<float>(left.size() + right.size());
-    }
-
     /// From here on back the file has its old name. What came with this commit stays where it is.
     void move_file(const Change& change) {
         const auto here = places_.find(change.path);
@@ -353,6 +378,7 @@ private:
     const Dialect& dialect_;
     Lineages& lineages_;
     LastScanned last_;
+    LinesOfVersions lines_;
     Places places_;
     WalkedPast out_;
     size_t listed_ = 0, begun_ = 0, turn_ = 0;
