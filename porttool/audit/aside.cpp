@@ -38,8 +38,9 @@ constexpr std::array<std::string_view, 11> kRuntime = {"memcpy",    "memset",   
                                                        "lasterror", "cudafree",     "hipfree"};
 
 /// What locals are called that say how a kernel is launched.
-constexpr std::array<std::string_view, 10> kLaunch = {"blocksize", "worksize", "localsize",  "groupsize", "numthreads",
-                                                      "wgsize",    "teamsize", "threadsper", "blockdim",  "sharedmem"};
+constexpr std::array<std::string_view, 11> kLaunch = {"blocksize",  "worksize",  "localsize", "groupsize",
+                                                      "numthreads", "wgsize",    "teamsize",  "threadsper",
+                                                      "blockdim",   "sharedmem", "gridsize"};
 
 }  // namespace
 

@@ -153,7 +153,9 @@ private:
     /// What no commit tells of stays where there is nothing else.
     static void drop_unlikely(std::vector<AuditItem>& items) {
         const bool any = std::any_of(items.begin(), items.end(), [](const AuditItem& one) { return one.commit; });
-        if (any) std::erase_if(items, [](const AuditItem& one) { return one.certainty < kLikely; });
+        if (any)
+            std::erase_if(items,
+                          [](const AuditItem& one) { return one.certainty < (one.commit ? kLikely : kLikelyToday); });
     }
 
     /// Of as many items as are shown; those that need no port, as `sync` says, go.
@@ -261,9 +263,10 @@ private:
         }
     }
 
-    static constexpr size_t kFew = 20;           ///< whoever asks for no more than that wants what is likely
-    static constexpr double kLikely = 0.25;      ///< fewer than half of those below were real where that was counted
-    static constexpr size_t kMostPatches = 100;  ///< beyond, nobody reads them, and each takes a while
+    static constexpr size_t kFew = 20;            ///< whoever asks for no more than that wants what is likely
+    static constexpr double kLikely = 0.25;       ///< fewer than half of those below were real where that was counted
+    static constexpr double kLikelyToday = 0.29;  ///< the same for what no commit tells of: twins, but for one place
+    static constexpr size_t kMostPatches = 100;   ///< beyond, nobody reads them, and each takes a while
 
     const AuditChoice& choice_;
     Workplace& place_;

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "porttool/audit/edit_class.h"
 #include "porttool/audit/message.h"
 #include "porttool/language/language.h"
 #include "porttool/normal/declaration_words.h"
@@ -135,6 +136,49 @@ bool reads_command_line(const WrittenStatement& statement) {
     return std::any_of(words.begin(), words.end(), [](const auto& word) { return is_one_of(word, {"argc", "argv"}); });
 }
 
+/// Pairs of two names of which one unit is paired with its namesake, too: `forward_half` with `forward`, where both
+/// sides have a `forward`. By their places.
+std::set<size_t> pairs_beside_namesakes(const TodaysPairs& today) {
+    const auto leaf = [&](size_t pair, Side side) { return folded(leaf_of(today.unit(today.pairs[pair], side).name)); };
+    BySide<std::set<std::string>> with_namesake;  // ids
+    for (size_t i = 0; i < today.pairs.size(); ++i)
+        if (leaf(i, Side::Source) == leaf(i, Side::Target))
+            for (const Side side : kBothSides) with_namesake[side].insert(today.pairs[i].id[side]);
+    std::set<size_t> out;
+    for (size_t i = 0; i < today.pairs.size(); ++i)
+        if (!today.pairs[i].confirmed && leaf(i, Side::Source) != leaf(i, Side::Target))
+            for (const Side side : kBothSides)
+                if (with_namesake[side].contains(today.pairs[i].id[side])) out.insert(i);
+    return out;
+}
+
+/// The functions of a side, by the last part of their names.
+std::set<std::string> functions_by_leaf(const States& states, Side side) {
+    std::set<std::string> out;
+    for (const auto& [id, unit] : states[side])
+        if (unit.kind == UnitKind::Function || unit.kind == UnitKind::Kernel)
+            out.insert(std::string(leaf_of(unit.name)));
+    return out;
+}
+
+/// Edits by commits of which each side of a pair lacks something: then each has it in its own manner. By their places.
+std::set<size_t> done_in_two_manners(const std::vector<FoundEdit>& found) {
+    std::map<std::pair<size_t, uint32_t>, BySide<bool>> seen;  // by pair and commit
+    for (const FoundEdit& one : found) seen[{one.pair, one.edit.commit}][one.edit.side] = true;
+    std::set<size_t> out;
+    for (size_t i = 0; i < found.size(); ++i) {
+        const BySide<bool>& sides = seen.at({found[i].pair, found[i].edit.commit});
+        if (sides.source && sides.target) out.insert(i);
+    }
+    return out;
+}
+
+/// What is known of an edit beyond itself.
+struct Surroundings {
+    bool elsewhere = false;    ///< another port of the same unit has it
+    bool two_manners = false;  ///< the other side lacks it, and this side what the commit did there
+};
+
 struct Judged {
     double certainty = 0;
     std::vector<std::string> why;
@@ -144,12 +188,18 @@ struct Judged {
 class Judge {
 public:
     Judge(const WalkedPast& walked, const TodaysPairs& today, const Habits& habits)
-        : walked_(walked), today_(today), habits_(habits), shared_(shared_pairs(today)) {}
+        : walked_(walked),
+          today_(today),
+          habits_(habits),
+          shared_(shared_pairs(today)),
+          beside_namesakes_(pairs_beside_namesakes(today)),
+          functions_{functions_by_leaf(today.snapshot.states, Side::Source),
+                     functions_by_leaf(today.snapshot.states, Side::Target)} {}
 
-    Judged of(const FoundEdit& found, bool elsewhere) {
+    Judged of(const FoundEdit& found, const Surroundings& around) {
         out_ = {};
         z_ = -3.0 + 5.0 * static_cast<double>(strength_of(found.edit));
-        weigh_message(walked_.steps[found.edit.commit].message);
+        weigh_message(walked_.steps[found.edit.commit].message, found);
         weigh_places(found.edit.places);
         weigh_commit(walked_.units[found.edit.commit]);
         weigh_size(found);
@@ -170,7 +220,12 @@ public:
             z_ -= 0.4;
             out_.why.emplace_back("the other side was edited since");
         }
-        if (elsewhere) {
+        if (around.two_manners) {
+            z_ -= 1;
+            out_.why.emplace_back("the commit did something there that this side lacks: each may have its manner");
+        }
+        weigh_class(found);
+        if (around.elsewhere && !beside_namesakes_.contains(found.pair)) {
             z_ += 1;
             out_.why.emplace_back("another port of the same function has it");
         }
@@ -184,7 +239,7 @@ public:
     }
 
 private:
-    void weigh_message(const std::string& message) {
+    void weigh_message(const std::string& message, const FoundEdit& found) {
         const MessageSays says = read_message(message);
         if (says.fix && says.manner) {
             z_ += 0.2;
@@ -192,7 +247,7 @@ private:
             z_ += says.in_text ? 0.5 : 1.3;
             out_.why.emplace_back("the commit message speaks of a fix");
         } else if (says.manner) {
-            z_ -= 0.8;
+            z_ -= 1.2;
             out_.why.emplace_back("the commit message speaks of looks or structure");
         } else if (says.speed) {
             z_ -= 1.3;
@@ -202,6 +257,31 @@ private:
             z_ -= 1.5;
             out_.why.emplace_back("the commit message speaks of one platform");
         }
+        if (says.threads && !is_device_code(today_.unit(today_.pairs[found.pair], other(found.edit.side)))) {
+            z_ -= 1.5;
+            out_.why.emplace_back("the commit message speaks of threads");
+        }
+    }
+
+    /// What the other side seldom needs.
+    void weigh_class(const FoundEdit& found) {
+        const MissingPlace& place = strongest(found.edit);
+        const UnitState& unit = today_.unit(today_.pairs[found.pair], found.edit.side);
+        const auto weigh = [&](bool is, double more, const char* why) {
+            if (!is) return;
+            z_ -= more;
+            out_.why.emplace_back(why);
+        };
+        weigh(only_hands_on(place, functions_[found.edit.side]), 1.5, "only what a function takes became other");
+        weigh(is_option(place, unit), 3, "an option of a program");
+        weigh(place.kind == MissingPlace::Kind::Added && guards_pointer(place, unit), 2, "a test for null");
+        weigh(names_type(place), 1.5, "the name of a type");
+        weigh(keeps_address(place), 2, "only where something lies");
+        weigh(numbers_label(place, today_.unit(today_.pairs[found.pair], other(found.edit.side))), 2.5,
+              "the other side's labels are names");
+        weigh(guards_launch(place), 1.5, "a guard against a launch of no threads");
+        weigh(takes_other_local(place, unit), 1.2, "a local gave way to another");
+        weigh(sets_tolerance(place), 4, "a bound within which results are taken for equal");
     }
 
     void weigh_places(const std::vector<MissingPlace>& places) {
@@ -224,7 +304,7 @@ private:
         const auto all = static_cast<double>(written_statements(unit.text.words()).size());
         const auto size = static_cast<double>(found.edit.size);
         if (size <= kSmall || size <= kPart * all) return;
-        z_ -= std::min(2.0, 0.6 * std::log2(size / std::max(kSmall, kPart * all)));
+        z_ -= std::min(3.0, 0.6 * std::log2(size / std::max(kSmall, kPart * all)));
         out_.why.push_back("the commit edited " + std::to_string(found.edit.size) + " places of the unit");
     }
 
@@ -242,6 +322,10 @@ private:
         z_ += 2.0 * (static_cast<double>(found.alike) - 0.4);
         if (!pair.confirmed) z_ += 3 * (pair.score - 0.9);
         if (shared_[found.pair]) z_ -= 1;
+        if (beside_namesakes_.contains(found.pair)) {
+            z_ -= 2;
+            out_.why.emplace_back("each of the two has, or may have, a port of its own name");
+        }
         const auto is_program = [&](Side side) { return today_.unit(pair, side).name == "main"; };
         if (is_program(Side::Source) != is_program(Side::Target)) z_ -= 1.6;  // a kernel, and all that is around it
     }
@@ -251,6 +335,8 @@ private:
     const Habits& habits_;
     Judged out_;
     std::vector<bool> shared_;
+    std::set<size_t> beside_namesakes_;
+    BySide<std::set<std::string>> functions_;
     double z_ = 0;
 };
 
@@ -269,6 +355,16 @@ WrittenStatement telling_part(const WrittenStatement& statement, const WrittenSt
     return last < words.size() ? out + "\x1f..." : out;
 }
 
+/// The first words of a long statement.
+WrittenStatement short_part(const WrittenStatement& statement) {
+    constexpr size_t kLong = 24;  // words
+    const std::vector<std::string> words = words_of_statement(statement);
+    if (words.size() <= kLong) return statement;
+    WrittenStatement out = words[0];
+    for (size_t i = 1; i < kLong; ++i) out += '\x1f' + words[i];
+    return out + "\x1f...";
+}
+
 std::string summary_of(const MissingEdit& edit) {
     const MissingPlace& place = strongest(edit);
     const std::string other = edit.side == Side::Source ? "the target" : "the source";
@@ -281,7 +377,9 @@ std::string summary_of(const MissingEdit& edit) {
                    quoted_one(telling_part(place.now, place.before));
         }
         case MissingPlace::Kind::Added:
-            return other + " lacks " + quoted_one(place.now);
+            return other + " lacks " + quoted_one(place.now) +
+                   (place.behind.empty() ? ""
+                                         : ", which stands behind " + quoted_one(short_part(place.behind)) + " here");
         case MissingPlace::Kind::Removed:
             return other + " still has " + quoted_one(place.there) + ", which this side took away";
     }
@@ -366,13 +464,16 @@ std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differin
                                       const Habits& habits) {
     constexpr double kMost = 0.3;  // nothing tells which side is right, or whether they were ever to be the same
     std::map<std::string, size_t> folded;  // by the words that differ: an item
-    const std::set<size_t> astray = pairs_astray(today);
+    const std::set<size_t> astray = pairs_astray(today), beside = pairs_beside_namesakes(today);
     std::vector<AuditItem> out;
     for (const DifferingPair& one : differing) {
         const TodaysPair& pair = today.pairs[one.pair];
         MissingPlace place = one.places.front();
-        if (habits.contains(habit_of(place, Side::Source)) || astray.contains(one.pair)) continue;
+        if (habits.contains(habit_of(place, Side::Source)) || astray.contains(one.pair) || beside.contains(one.pair) ||
+            (only_waits(place.now) && only_waits(place.there)))
+            continue;
         place.before = place.there;
+        if (sets_tolerance(place)) continue;
         const std::string files =  // of them numbers say enough
             today.unit(pair, Side::Source).file + ' ' + today.unit(pair, Side::Target).file;
         const auto [known, is_new] = folded.try_emplace(core_of(place, files), out.size());
@@ -400,10 +501,11 @@ std::vector<AuditItem> ranked(std::vector<FoundEdit> found, const WalkedPast& wa
     Judge judge(walked, today, habits);
     std::vector<Judged> judgements;
     std::vector<size_t> order;
-    const std::set<size_t> elsewhere = known_to_other_ports(found, today, alike);
+    const std::set<size_t> elsewhere = known_to_other_ports(found, today, alike),
+                           two_manners = done_in_two_manners(found);
     for (size_t i = 0; i < found.size(); ++i) {
         order.push_back(i);
-        judgements.push_back(judge.of(found[i], elsewhere.contains(i)));
+        judgements.push_back(judge.of(found[i], {elsewhere.contains(i), two_manners.contains(i)}));
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](size_t a, size_t b) { return judgements[a].certainty > judgements[b].certainty; });

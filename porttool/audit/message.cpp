@@ -27,11 +27,11 @@ constexpr std::array<std::string_view, 37> kFix = {
     "leak",      "broken",     "missing", "mistake",   "invalid",  "out of bound", "out-of-bound", "divi",
     "undefined", "uninitiali", "regress", "issue",     "artifact", "failure",      "should be",    "accura",
     "inf ",      "workaround", "oops",    "repair",    "segfault"};
-constexpr std::array<std::string_view, 35> kManner = {
+constexpr std::array<std::string_view, 36> kManner = {
     "rewrit",  "rewrote",  "rework",   "restructur",  "migrat",  "switch to",  "unify",    "extract",   "measure",
     "profil",  "compil",   "build",    "support for", "port to", "refactor",   "cleanup",  "clean up",  "clean-up",
     "rename",  "reformat", "format",   "style",       "indent",  "whitespace", "license",  "copyright", "comment",
-    "warning", "move",     "reorgani", "merge",       "sync",    "tidy",       "cosmetic", "simplif"};
+    "warning", "move",     "reorgani", "merge",       "sync",    "tidy",       "cosmetic", "simplif",   "review"};
 constexpr std::array<std::string_view, 19> kSpeed = {
     "simd", "bandwidth", "throughput", "prefetch", "coalesc", "optimi", "speed",     "perf",   "faster", "unroll",
     "tune", "tuning",    "occupancy",  "register", "vectori", "cache",  "benchmark", "inline", "latency"};
@@ -41,9 +41,18 @@ constexpr std::array<std::string_view, 7> kBuild = {"compil", "build",    "drive
                                                     "script", "makefile", "dependenc"};
 
 /// What is mended there may have been wrong there alone.
-constexpr std::array<std::string_view, 21> kPlatform = {
-    "platform", "opencl", "cuda",    "hip ", "sycl", "metal", "vulkan", "gpu", "opengl", "cpu",   "os x",
-    "osx",      "mac",    "windows", "msvc", "gcc",  "clang", "intel",  "amd", "arm",    "nvidia"};
+constexpr std::array<std::string_view, 29> kPlatform = {
+    "platform", "opencl", "cuda", "hip ",    "sycl", "metal",  "vulkan", "gpu",   "opengl", "cpu",
+    "os x",     "osx",    "mac",  "windows", "msvc", "gcc",    "clang",  "intel", "amd",    "arm",
+    "nvidia",   "x86",    "sse",  "avx",     "neon", "openmp", "rocm",   "dpcpp", "oneapi"};
+
+/// What is mended there is no matter for a type of more digits.
+constexpr std::array<std::string_view, 4> kFewDigits = {"single precision", "single-precision", "float precision",
+                                                        "float's precision"};
+
+/// What is mended there cannot be wrong where one thread does it all.
+constexpr std::array<std::string_view, 8> kThreads = {"race",     "racing",   "atomic",      "deadlock",
+                                                      "synchron", "barrier ", "thread safe", "thread-safe"};
 
 /// Without the `cuda:` or `[cuda]` at its start: so some mark all that they do there.
 std::string without_tag(const std::string& text) {
@@ -59,7 +68,8 @@ MessageSays read_message(std::string_view message) {
     const std::string first = text.substr(0, text.find('\n'));
     MessageSays out{
         .fix = speaks_of(first, kFix), .manner = speaks_of(first, kManner), .speed = speaks_of(first, kSpeed)};
-    out.platform = speaks_of(without_tag(first), kPlatform);
+    out.platform = speaks_of(without_tag(first), kPlatform) || speaks_of(text, kFewDigits);
+    out.threads = speaks_of(first, kThreads);
     if (speaks_of(first, kBuild)) {
         out.fix = false;
         out.manner = true;

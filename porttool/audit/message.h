@@ -13,6 +13,7 @@ struct MessageSays {
     bool platform = false;  ///< it names a platform, beyond the tag that it begins with
     bool manner = false;    ///< it is about looks, names, structure or tools
     bool speed = false;
+    bool threads = false;  ///< it is about several that run at once
 };
 
 /// Reads the first line, then the rest. What the first line says goes before.

@@ -16,6 +16,7 @@ struct MissingPlace {
     enum class Kind : uint8_t { Replaced, Added, Removed };
     Kind kind = Kind::Replaced;
     WrittenStatement before, now;  ///< before the edit, and today; one is "" where a statement came or went
+    WrittenStatement behind;       ///< of a statement that came: the one before it today; "" for none
     WrittenStatement there;        ///< the statement of the other side that says what was before; "" for none
     float strength = 0;            ///< how sure it is that the other side lacks it and should not, 0 to 1
     bool constants_only = false;   ///< nothing but numbers changed

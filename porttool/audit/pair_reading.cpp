@@ -276,6 +276,7 @@ private:
         MissingPlace place;
         place.kind = MissingPlace::Kind::Added;
         place.now = texts_.sides[side].written[line.index];
+        if (line.index > 1) place.behind = texts_.sides[side].written[line.index - 1];
         place.strength = 0.8f * std::min(1.0f, (1 - there) / 0.6f) * otherwise_.lacking(side, line.index);
         if (place.strength < kFaint || otherwise_.is_said_in_call(side, line.index)) return;
         note(born.commit, std::move(place));

@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "porttool/audit/same_value.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/normal/diff.h"
@@ -47,7 +48,8 @@ bool ReplacedStatement::same_head(Side side, const MissingPlace& place) const {
 
 bool ReplacedStatement::turns_round(Side side, const MissingPlace& place, uint32_t commit) const {
     return pair_[side].lineage->places_edited(commit) > 1 &&
-           is_turned_round(words_of_statement(place.before), words_of_statement(place.now));
+           (is_turned_round(words_of_statement(place.before), words_of_statement(place.now)) ||
+            ask_the_opposite(texts_.translated(place.before, side, true), texts_.translated(place.now, side, true)));
 }
 
 bool ReplacedStatement::brings_call(Side side, const MissingPlace& place) const {

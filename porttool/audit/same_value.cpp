@@ -11,7 +11,9 @@
 #include <string_view>
 #include <utility>
 
+#include "porttool/audit/idle_casts.h"
 #include "porttool/language/words.h"
+#include "porttool/normal/declaration_words.h"
 #include "porttool/normal/statements.h"
 
 namespace porttool {
@@ -114,6 +116,7 @@ private:
         double number = 0;
         bool compares = false;  ///< by `<`: then these two
         double smaller = 0, greater = 0;
+        bool is_truth = false;  ///< then the opposite truth is the opposite number
     };
 
     static bool begins_operand(const std::string& word) {
@@ -156,15 +159,18 @@ private:
     }
 
     Value choice(const Value& condition) {
-        const double yes = expression(0).number;
+        double yes = expression(0).number;
         expect(":");
-        const double no = expression(0).number;
+        double no = expression(0).number;
         const double small = condition.smaller, great = condition.greater;
         if (condition.compares && yes == small && no == great) return {std::min(small, great)};
         if (condition.compares && yes == great && no == small) return {std::max(small, great)};
         const bool sign =
             condition.compares && yes == -no && ((small == 0 && yes == great) || (great == 0 && no == small));
-        return sign ? Value{std::abs(yes)} : Value{opaque("?", {condition.number, yes, no})};
+        if (sign) return {std::abs(yes)};
+        const bool opposite = condition.is_truth && condition.number < 0;
+        if (opposite) std::swap(yes, no);
+        return {opaque("?", {opposite ? -condition.number : condition.number, yes, no})};
     }
 
     Value combined(const Operator& by, const Value& left, const Value& right) const {
@@ -181,11 +187,27 @@ private:
             default:
                 break;
         }
-        const bool turned = by.word == ">" || by.word == ">=";
+        if (by.level == 7) return ordered(by.word, a, b);
+        const bool both = by.word == "&&";  // not (not a or not b)
+        if (both) {
+            a = left.is_truth ? -a : opaque("!", {a});
+            b = right.is_truth ? -b : opaque("!", {b});
+        }
         const bool either_way = by.level >= 1 && by.level <= 6;
-        if (turned || (either_way && b < a)) std::swap(a, b);
-        const std::string_view name = by.word == ">" ? "<" : by.word == ">=" ? "<=" : by.word;
-        return {opaque(name, {a, b}), by.level == 7, a, b};
+        if (either_way && b < a) std::swap(a, b);
+        const std::string_view name = both ? "||" : by.word == "!=" ? "==" : by.word;
+        const double value = opaque(name, {a, b});
+        return {both || by.word == "!=" ? -value : value, false, 0, 0, both || is_one_of(by.word, {"||", "==", "!="})};
+    }
+
+    /// `a >= b` is the opposite of `a < b`, and `a > b` is `b < a`.
+    Value ordered(std::string_view by, double a, double b) const {
+        const bool opposite = by == ">=" || by == "<=";
+        const bool turned = by == ">" || by == "<=";
+        if (turned) std::swap(a, b);
+        const double value = opaque("<", {a, b});
+        if (opposite) std::swap(a, b);
+        return {opposite ? -value : value, true, a, b, true};
     }
 
     Value unary() {
@@ -196,7 +218,11 @@ private:
         const std::string& word = words_[at_++];
         if (word == "-") return {-unary().number};
         if (word == "+") return unary();
-        if (word == "!" || word == "~") return {opaque(word, {unary().number})};
+        if (word == "!") {
+            const Value of = unary();
+            return {of.is_truth ? -of.number : opaque("!", {of.number}), false, 0, 0, of.is_truth};
+        }
+        if (word == "~") return {opaque(word, {unary().number})};
         Value out;
         if (word == "(") {
             out = expression(0);
@@ -275,7 +301,8 @@ private:
 
 }  // namespace
 
-bool give_the_same_value(const Text& a, const Text& b) {
+bool give_the_same_value(const Text& first, const Text& second) {
+    const auto [a, b] = without_idle_casts(first, second);
     constexpr uint64_t kDraws = 64;
     constexpr int kFewest = 2;  // where all is a number
     const bool real = std::any_of(a.begin(), a.end(), is_real) || std::any_of(b.begin(), b.end(), is_real);
@@ -288,6 +315,14 @@ bool give_the_same_value(const Text& a, const Text& b) {
         finite += std::all_of(left.begin(), left.end(), [](double one) { return std::isfinite(one); }) ? 1 : 0;
     }
     return finite >= kFewest;
+}
+
+bool ask_the_opposite(const Text& a, const Text& b) {
+    if (a.size() < 4 || b.size() < 4 || a[0] != "if" || b[0] != "if" || a[1] != "(" || b[1] != "(") return false;
+    Text opposite = {"if", "(", "!"};
+    opposite.insert(opposite.end(), b.begin() + 1, b.end());
+    opposite.emplace_back(")");
+    return give_the_same_value(a, opposite);
 }
 
 }  // namespace porttool

@@ -13,8 +13,11 @@ namespace porttool {
 ///     1f / ( 2f * sqrt ( a ) )       ( a < b ) ? a : b
 ///     0.5f / sqrt ( a )              min ( a , b )
 ///
-/// Rounding does not count. What is no arithmetic (a comparison, an unknown call, a remainder, `/` between what may be
-/// integers) has a value that depends on its operands alone. False for what cannot be read.
+/// Rounding and casts do not count. What is no arithmetic (a comparison, an unknown call, a remainder, `/` between what
+/// may be integers) has a value that depends on its operands alone. False for what cannot be read.
 bool give_the_same_value(const std::vector<std::string>& a, const std::vector<std::string>& b);
+
+/// True for two branches of which one is taken where the other is not: `if (a <= i || i < b)`, `if (i < a && i >= b)`.
+bool ask_the_opposite(const std::vector<std::string>& a, const std::vector<std::string>& b);
 
 }  // namespace porttool

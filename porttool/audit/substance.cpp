@@ -57,8 +57,15 @@ struct Matter {
     }
 };
 
+/// True for `. data ( )`, as a container gives its memory.
+bool gives_memory(const std::vector<const std::string*>& words) {
+    return words.size() == 4 && *words[0] == "." && *words[2] == "(" && *words[3] == ")" &&
+           is_one_of(folded(*words[1]), {"data", "getdata", "getconstdata", "constdata", "get", "ptr"});
+}
+
 /// True if nothing but the way to a value changed: an object before a member, the first element of an array.
 bool is_way_to_value(const std::vector<const std::string*>& words) {
+    if (gives_memory(words)) return true;
     bool leads = false;
     for (const std::string* word : words) {
         const bool mark = *word == "." || *word == "[" || *word == "]" || *word == "::";
@@ -132,6 +139,30 @@ void add_place(const ChangedPlace& place, const Text& text, const KnownThere& th
     }
 }
 
+/// What a statement sets, as `light` and `light . r`: the words before its `=`; none for other statements.
+Text name_that_is_set(const Text& words) {
+    Text out;
+    for (size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == "=") return out;
+        if (i % 2 == 0 ? !is_word_token(words[i]) : words[i] != ".") return {};
+        out.push_back(words[i]);
+    }
+    return {};
+}
+
+Text value_behind_name(const Text& words) {
+    return {words.begin() + static_cast<ptrdiff_t>(name_that_is_set(words).size() + 1), words.end()};
+}
+
+/// True where one of two statements sets a component of what the other sets: `light = x`, `light.r = x`.
+bool sets_component_of(const Text& before, const Text& now) {
+    const Text from = name_that_is_set(before), to = name_that_is_set(now);
+    const Text& shorter = from.size() < to.size() ? from : to;
+    const Text& longer = from.size() < to.size() ? to : from;
+    return !shorter.empty() && longer.size() == shorter.size() + 2 &&
+           std::equal(shorter.begin(), shorter.end(), longer.begin());
+}
+
 }  // namespace
 
 Text value_of(const Text& words) {
@@ -141,7 +172,11 @@ Text value_of(const Text& words) {
 }
 
 float substance_of(const Text& before, const Text& now, const KnownThere& there) {
-    const Text old_value = value_of(before), new_value = value_of(now);
+    Text old_value = value_of(before), new_value = value_of(now);
+    if (sets_component_of(before, now)) {
+        old_value = value_behind_name(before);
+        new_value = value_behind_name(now);
+    }
     ChangedPlace place;
     Matter matter;
     const auto finish = [&] {

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Classes of edits that the other side seldom needs.
+#include "porttool/audit/edit_class.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <iterator>
+#include <sstream>
+
+#include "porttool/audit/message.h"
+#include "porttool/audit/same_value.h"
+
+namespace porttool::testing::audit_class_test {
+namespace {
+
+std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream in(text);
+    return {std::istream_iterator<std::string>(in), {}};
+}
+
+WrittenStatement statement_of(const std::string& text) {
+    std::string out;
+    for (const std::string& word : words_of(text)) (out.empty() ? out : out += '\x1f') += word;
+    return out;
+}
+
+MissingPlace replaced_place(const std::string& before, const std::string& now) {
+    MissingPlace out;
+    out.before = statement_of(before);
+    out.now = statement_of(now);
+    return out;
+}
+
+MissingPlace added_place(const std::string& now) {
+    MissingPlace out = replaced_place("", now);
+    out.kind = MissingPlace::Kind::Added;
+    return out;
+}
+
+UnitState unit_of(const std::string& text, const std::string& name = "shade") {
+    UnitState out;
+    out.name = name;
+    NormalText words;
+    for (const std::string& word : words_of(text)) words.add(word);
+    out.text = std::move(words);
+    return out;
+}
+
+TEST(AuditClass, NamesThatAFunctionOfThisSideTakesAreHandedOn) {
+    const std::set<std::string> own = {"light", "run"};
+    struct Row {
+        const char *before, *now;
+        bool is;
+    };
+    for (const Row& row :
+         {Row{"v = light ( p , n )", "v = light ( p , n , textures )", true},
+          Row{"v = light ( p , n )", "v = light ( p , n , scene -> textures )", true},
+          Row{"run ( q , seed )", "run ( q )", true}, Row{"v = light ( p , n )", "v = light ( p , n , 0.5f )", false},
+          Row{"v = light ( p , n )", "v = light ( p , n * scale )", false},
+          Row{"v = light ( p , n )", "v = light ( p , m )", false},
+          Row{"v = light ( p , n )", "v = light ( p , n ) * scale", false},
+          Row{"v = clamp ( p , n )", "v = clamp ( p , n , m )", false},
+          Row{"v = light ( max ( p , n ) )", "v = light ( max ( p , n , m ) )", false}})
+        EXPECT_EQ(only_hands_on(replaced_place(row.before, row.now), own), row.is) << row.now;
+}
+
+TEST(AuditClass, PointersAreGuardedWhereTheyAreRead) {
+    const UnitState unit = unit_of("void shade ( ) { if ( tex ) { v = tex -> x ; } w = * mesh ; u = level ; }");
+    EXPECT_TRUE(guards_pointer(added_place("if ( tex )"), unit));
+    EXPECT_TRUE(guards_pointer(added_place("if ( ! tex )"), unit));
+    EXPECT_TRUE(guards_pointer(added_place("if ( tex && level > 0 )"), unit));
+    EXPECT_TRUE(guards_pointer(added_place("if ( ! mesh )"), unit));
+    EXPECT_FALSE(guards_pointer(added_place("if ( level )"), unit)) << "a number";
+    EXPECT_FALSE(guards_pointer(added_place("if ( tex > 0 )"), unit));
+    EXPECT_FALSE(guards_pointer(added_place("while ( tex )"), unit));
+}
+
+TEST(AuditClass, LabelsOfOptionsAndOfNumbers) {
+    const UnitState reads = unit_of("int parse ( int argc , char * * argv ) { }", "parse"), draws = unit_of("{ }");
+    EXPECT_TRUE(is_option(added_place("case 'p' :"), reads));
+    EXPECT_TRUE(is_option(added_place("case 'p' :"), unit_of("{ }", "main")));
+    EXPECT_FALSE(is_option(added_place("case 'p' :"), draws));
+    EXPECT_FALSE(is_option(added_place("case 64 :"), reads));
+    const UnitState by_names = unit_of("switch ( f ) { case kBulb : x ; case kBox : y ; }");
+    EXPECT_TRUE(numbers_label(added_place("case 64 :"), by_names));
+    EXPECT_FALSE(numbers_label(added_place("case kTorus :"), by_names));
+    EXPECT_FALSE(numbers_label(added_place("case 64 :"), unit_of("switch ( f ) { case 1 : x ; case kBox : y ; }")));
+    EXPECT_FALSE(numbers_label(added_place("case 64 :"), draws)) << "no switch";
+}
+
+TEST(AuditClass, BoundsOfAComparisonOfResults) {
+    EXPECT_TRUE(sets_tolerance(replaced_place("if ( fabs ( a - b ) > 0.01 )", "if ( fabs ( a - b ) > 0.1 )")));
+    EXPECT_FALSE(sets_tolerance(replaced_place("if ( fabs ( a - b ) > 0.01 )", "if ( fabs ( a - c ) > 0.01 )")));
+    EXPECT_FALSE(sets_tolerance(replaced_place("if ( fabs ( a ) > 0.01 )", "if ( fabs ( a ) > 0.1 )")))
+        << "a threshold";
+    EXPECT_FALSE(sets_tolerance(replaced_place("x = fabs ( a - b ) * 0.01", "x = fabs ( a - b ) * 0.1")));
+}
+
+TEST(AuditClass, LocalsTypesAddressesAndLaunches) {
+    const UnitState unit = unit_of("{ int bucket = 1 ; x = begin [ bucket ] ; }");
+    EXPECT_TRUE(takes_other_local(replaced_place("x = begin [ shifted ]", "x = begin [ bucket ]"), unit));
+    EXPECT_FALSE(takes_other_local(replaced_place("x = begin [ x ]", "x = begin [ bucket ]"), unit)) << "still there";
+    EXPECT_FALSE(takes_other_local(replaced_place("x = old -> n", "x = bucket -> n"), unit)) << "an object";
+    EXPECT_TRUE(names_type(replaced_place("using T = A", "using T = B")));
+    EXPECT_TRUE(keeps_address(added_place("in . count = & buffer [ i ] . count")));
+    EXPECT_FALSE(keeps_address(added_place("x = a & b")));
+    EXPECT_FALSE(keeps_address(added_place("x = & a [ i + 1 ]")));
+    EXPECT_TRUE(guards_launch(added_place("if ( num_blocks > 0 )")));
+    EXPECT_FALSE(guards_launch(added_place("if ( level > 0 )")));
+    EXPECT_TRUE(only_waits(statement_of("__syncthreads ( )")));
+    EXPECT_TRUE(only_waits(statement_of("barrier ( CLK_LOCAL_MEM_FENCE )")));
+    EXPECT_FALSE(only_waits(statement_of("x = level ( )")));
+}
+
+TEST(AuditClass, MessagesOfThreadsAndOfDigits) {
+    EXPECT_TRUE(read_message("Fix a data race in the reduction").threads);
+    EXPECT_FALSE(read_message("Fix the trace of rays").threads);
+    EXPECT_TRUE(read_message("Corrected limits\n\nneeded for single precision").platform);
+    EXPECT_TRUE(read_message("Review updates").manner);
+}
+
+TEST(AuditValues, TruthsThatAreOpposite) {
+    struct Row {
+        const char *a, *b;
+        bool opposite;
+    };
+    // By De Morgan.
+    for (const Row& row :
+         {Row{"if ( a < b )", "if ( a >= b )", true}, Row{"if ( a < b )", "if ( b <= a )", true},
+          Row{"if ( a < b )", "if ( a > b )", false}, Row{"if ( a <= i || ( i < b ) )", "if ( i < a && i >= b )", true},
+          Row{"if ( a <= i || i < b )", "if ( i <= a && i >= b )", false},
+          Row{"if ( a <= i || i < b )", "if ( i < a || i >= b )", false},
+          Row{"if ( a == b && c )", "if ( a != b || ! c )", true},
+          Row{"if ( a )", "if ( - a )", false}, Row{"while ( a < b )", "while ( a >= b )", false}}) {
+        EXPECT_EQ(ask_the_opposite(words_of(row.a), words_of(row.b)), row.opposite) << row.a << "   " << row.b;
+        EXPECT_EQ(ask_the_opposite(words_of(row.b), words_of(row.a)), row.opposite) << row.b << "   " << row.a;
+    }
+}
+
+TEST(AuditValues, CastsDoNotCount) {
+    struct Row {
+        const char *a, *b;
+        bool same;
+    };
+    for (const Row& row :
+         {Row{"if ( c < - 1.0 )", "if ( c < - Real ( 1.0 ) )", true},
+          Row{"w *= Real ( 3.0 / 2.0 )", "w *= Real ( 3.0 ) / Real ( 2.0 )", true},
+          Row{"x = static_cast < double > ( n ) * 2.0", "x = n * 2.0", true},
+          Row{"x = static_cast < double > ( n + m ) * 2.0", "x = n + m * 2.0", false},
+          Row{"x = first ( 0 )", "x = last ( 0 )", false}, Row{"x = Real ( 1.0 )", "x = Real ( 2.0 )", false},
+          Row{"x = load ( 2.0 ) + load ( i )", "x = 2.0 + load ( i )", false}})
+        EXPECT_EQ(give_the_same_value(words_of(row.a), words_of(row.b)), row.same) << row.a << "   " << row.b;
+}
+
+}  // namespace
+}  // namespace porttool::testing::audit_class_test
