@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <initializer_list>
 #include <string_view>
 
-namespace porttool {
+#include "porttool/text/is_one_of.h"
 
-/// For marks and the few words that matter in one place; what words are in the languages, word_is() tells.
-bool is_one_of(std::string_view text, std::initializer_list<std::string_view> words);
+namespace porttool {
 
 /// A word without small letters, as macros have.
 bool is_shouted(std::string_view text);

@@ -6,12 +6,10 @@
 #include <optional>
 #include <string_view>
 
+#include "porttool/text/is_one_of.h"
+
 namespace porttool {
 namespace {
-
-bool is_among(std::string_view word, std::initializer_list<std::string_view> words) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 /// Reads a file's statements outside of units, and the namespaces that they stand in.
 class WordReader {
@@ -92,7 +90,7 @@ private:
         if (word(0) == "template") first = past_angles(1);
         if (word(first) == "using") return read_using(first, end);
         if (word(first) == "namespace") return end > first + 2 ? add(first + 1, DeclaredWord::Kind::Type) : void();
-        if (is_among(word(first), {"struct", "class", "union", "enum"}) && end <= first + 3) return;  // `struct Ray;`
+        if (is_one_of(word(first), {"struct", "class", "union", "enum"}) && end <= first + 3) return;  // `struct Ray;`
         read_declarators(first, end,
                          word(first) == "typedef" ? DeclaredWord::Kind::Type
                          : is_linked()            ? DeclaredWord::Kind::Linked
@@ -111,7 +109,7 @@ private:
     /// True where another symbol stands for what is declared.
     bool is_linked() const {
         for (size_t i = 0; i < statement_.size(); ++i)
-            if (is_among(word(i), {"asm", "__asm", "__asm__", "alias", "__alias__", "ifunc", "__ifunc__", "weakref",
+            if (is_one_of(word(i), {"asm", "__asm", "__asm__", "alias", "__alias__", "ifunc", "__ifunc__", "weakref",
                                    "__weakref__"}) &&
                 word(i + 1) == "(")
                 return true;
@@ -132,12 +130,12 @@ private:
                 i = past_angles(i) - 1;
             } else if (word(i) == "(" || word(i) == "[") {
                 const size_t close = past_brackets(i);
-                const bool points = word(i) == "(" && is_among(word(i + 1), {"*", "&", "^"});
+                const bool points = word(i) == "(" && is_one_of(word(i + 1), {"*", "&", "^"});
                 for (size_t k = i + 1; points && k < close && word(k) != "("; ++k)
-                    if (is_name(k) && is_among(word(k + 1), {")", "[", "("})) add(k, kind);
+                    if (is_name(k) && is_one_of(word(k + 1), {")", "[", "("})) add(k, kind);
                 i = close - 1;
             } else if (word(i) == "=" || word(i) == "{") {
-                while (i < end && word(i) != ",") i = is_among(word(i), {"(", "[", "{"}) ? past_brackets(i) : i + 1;
+                while (i < end && word(i) != ",") i = is_one_of(word(i), {"(", "[", "{"}) ? past_brackets(i) : i + 1;
             } else if (is_name(i) && follows_type(i, first) && ends_name(i, end)) {
                 add(i, kind);
             }
@@ -146,10 +144,10 @@ private:
 
     bool follows_type(size_t i, size_t first) const {
         if (i == first) return statement_.size() == first + 1;  // `struct { ... } name;`
-        return is_name(i - 1) || is_among(word(i - 1), {"*", "&", "&&", ">", ">>", ",", ")", "]", "}"});
+        return is_name(i - 1) || is_one_of(word(i - 1), {"*", "&", "&&", ">", ">>", ",", ")", "]", "}"});
     }
     bool ends_name(size_t i, size_t end) const {
-        return i + 1 >= end || is_among(word(i + 1), {"=", "[", "(", ",", "{", ":"});
+        return i + 1 >= end || is_one_of(word(i + 1), {"=", "[", "(", ",", "{", ":"});
     }
 
     size_t past_angles(size_t i) const {
@@ -163,7 +161,7 @@ private:
     size_t past_brackets(size_t i) const {
         int depth = 0;
         for (; i < statement_.size(); ++i) {
-            depth += is_among(word(i), {"(", "[", "{"}) ? 1 : is_among(word(i), {")", "]", "}"}) ? -1 : 0;
+            depth += is_one_of(word(i), {"(", "[", "{"}) ? 1 : is_one_of(word(i), {")", "]", "}"}) ? -1 : 0;
             if (depth <= 0) return i + 1;
         }
         return i;
@@ -194,7 +192,7 @@ private:
                 continue;
             if (lexed_.view(first + 2) == "omp" && end - first > 5 && lexed_.view(first + 4) == "variant")
                 add_variant(first, end);
-            if (!is_among(lexed_.view(first + 2), {"redefine_extname", "weak", "push_macro", "pop_macro"})) continue;
+            if (!is_one_of(lexed_.view(first + 2), {"redefine_extname", "weak", "push_macro", "pop_macro"})) continue;
             const bool in_quotes = lexed_.view(first + 3) == "(" && end - first > 4;
             add_directive(first, end, in_quotes ? 4 : 3, DeclaredWord::Kind::Pragma);
         }
