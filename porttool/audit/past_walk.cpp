@@ -10,7 +10,9 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <span>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "porttool/audit/likeness.h"
 #include "porttool/history/in_turn.h"
@@ -119,6 +121,57 @@ double shared_lines(const LinesOfFile& a, const LinesOfFile& b) {
     return least == 0 ? 0 : static_cast<double>(common.size()) / static_cast<double>(least);
 }
 
+/// The files that a commit took away, for those that it brought in.
+class FilesGone {
+public:
+    FilesGone() = default;
+    explicit FilesGone(const std::vector<GitChange>& all) {
+        std::unordered_set<std::string_view> came;  // what went to one of these is that under its new name
+        for (const GitChange& one : all)
+            if (one.before.empty()) came.insert(one.blob);
+        for (const GitChange& one : all) {
+            if (!one.blob.empty()) continue;
+            by_blob_.emplace(one.before, &one);
+            if (came.contains(one.before)) continue;
+            by_name_[name_of(one.path)].push_back(&one);
+            by_suffix_[suffix_of(one.path)].push_back(&one);
+            if (rest_.size() < kMostTried) rest_.push_back(&one);
+        }
+    }
+
+    /// The one with the same bytes; nothing for none.
+    const GitChange* same_as(const GitChange& change) const {
+        const auto found = by_blob_.find(change.blob);
+        return found == by_blob_.end() ? nullptr : found->second;
+    }
+
+    /// A few that the file may have been: first those of its name, then those of its suffix.
+    std::vector<const GitChange*> likely(const GitChange& change) const {
+        std::vector<const GitChange*> out;
+        const auto take = [&](const std::vector<const GitChange*>& some) {
+            for (const GitChange* one : some) {
+                if (out.size() == kMostTried) return;
+                if (std::find(out.begin(), out.end(), one) == out.end()) out.push_back(one);
+            }
+        };
+        if (const auto found = by_name_.find(name_of(change.path)); found != by_name_.end()) take(found->second);
+        if (const auto found = by_suffix_.find(suffix_of(change.path)); found != by_suffix_.end()) take(found->second);
+        take(rest_);
+        return out;
+    }
+
+private:
+    using Files = std::vector<const GitChange*>;
+    static constexpr size_t kMostTried = 8;
+
+    static std::string_view name_of(std::string_view path) { return path.substr(path.find_last_of('/') + 1); }
+    static std::string_view suffix_of(std::string_view path) { return path.substr(path.find_last_of('.') + 1); }
+
+    std::unordered_map<std::string_view, const GitChange*> by_blob_;
+    std::unordered_map<std::string_view, Files> by_name_, by_suffix_;
+    Files rest_;
+};
+
 /// Where a followed unit stood at the moment that the walk has come to: by path and name, the ids that it has today.
 using Places = std::unordered_map<std::string, std::map<std::string, std::vector<std::string>>>;
 
@@ -196,6 +249,8 @@ private:
         CommitAhead now = std::move(ahead_.front());
         ahead_.pop_front();
         elsewhere_of_ = nullptr;
+        gone_of_ = nullptr;
+        went_of_ = nullptr;
         std::vector<Change> edits;
         std::set<std::string> done;
         for (Coming& coming : now.coming) {
@@ -248,34 +303,19 @@ private:
     /// A file that is new here: the one that went in the same commit, where it is that one under a new name. False
     /// where none did.
     bool follow_file(const GitChange& change, const std::vector<GitChange>& all, std::vector<Change>& out) {
-        constexpr size_t kMostTried = 8;
-        const auto name_of = [](const std::string& path) { return path.substr(path.find_last_of('/') + 1); };
-        const auto suffix_of = [](const std::string& path) { return path.substr(path.find_last_of('.') + 1); };
-        std::vector<const GitChange*> gone;
-        std::set<std::string_view> came;  // what went to one of these is that under its new name
-        for (const GitChange& one : all) {
-            if (one.before.empty()) came.insert(one.blob);
-            if (one.blob.empty()) gone.push_back(&one);
+        if (gone_of_ != &all) {
+            gone_of_ = &all;
+            gone_ = FilesGone(all);
         }
-        for (const GitChange* one : gone)
-            if (one->before == change.blob) {
-                out.push_back({one->path, change.path, {}});
-                return true;
-            }
-        std::erase_if(gone, [&](const GitChange* one) { return came.contains(one->before); });
-        std::stable_sort(gone.begin(), gone.end(), [&](const GitChange* a, const GitChange* b) {
-            const auto rank = [&](const GitChange* one) {
-                return (name_of(one->path) == name_of(change.path) ? 0 : 2) +
-                       (suffix_of(one->path) == suffix_of(change.path) ? 0 : 1);
-            };
-            return rank(a) < rank(b);
-        });
-        if (gone.size() > kMostTried) gone.resize(kMostTried);
+        if (const GitChange* same = gone_.same_as(change)) {
+            out.push_back({same->path, change.path, {}});
+            return true;
+        }
         const LinesOfFile* now = lines_.of(own_.git(), change.blob);
         if (now == nullptr) return true;
         const GitChange* best = nullptr;
         double most = 0.5;
-        for (const GitChange* one : gone)
+        for (const GitChange* one : gone_.likely(change))
             if (const LinesOfFile* before = lines_.of(own_.git(), one->before)) {
                 const double share = shared_lines(*before, *now);
                 if (share > most) {
@@ -311,6 +351,19 @@ private:
         }
     }
 
+    /// The units of that name, whatever their scope, which went in this commit.
+    const std::vector<std::pair<const Change*, const LoneVersion*>>& namesakes_that_went(
+        const LoneVersion& came, const std::vector<Change>& edits) {
+        if (went_of_ != &edits) {
+            went_of_ = &edits;
+            went_by_leaf_.clear();
+            for (const Change& one : edits)
+                for (const LoneVersion& went : one.edit.went)
+                    went_by_leaf_[std::string(leaf_of(went.name))].emplace_back(&one, &went);
+        }
+        return went_by_leaf_[std::string(leaf_of(came.name))];
+    }
+
     /// What their likeness can be by their lengths.
     static float most_likeness(const LoneVersion& a, const LoneVersion& b) {
         const size_t least = std::min(a.words.size(), b.words.size()), most = std::max(a.words.size(), b.words.size());
@@ -321,7 +374,7 @@ private:
                               const std::vector<GitChange>& all, std::string& from_path) {
         const LoneVersion* best = nullptr;
         float most = 0.6f;
-        const auto look = [&](const std::vector<LoneVersion>& went, const std::string& path) {
+        const auto look = [&](std::span<const LoneVersion> went, const std::string& path) {
             for (const LoneVersion& one : went) {
                 if (one.kind != came.kind) continue;
                 const bool same_name = leaf_of(one.name) == leaf_of(came.name);
@@ -337,6 +390,9 @@ private:
         };
         look(change.edit.went, change.old_path);
         if (best != nullptr) return best;
+        for (const auto& [one, went] : namesakes_that_went(came, edits))
+            if (one != &change) look({went, 1}, one->old_path);
+        if (most >= 1.0f) return best;  // none of another name can be more alike
         for (const Change& one : edits)
             if (&one != &change) look(one.edit.went, one.old_path);
         if (best != nullptr) return best;
@@ -383,6 +439,10 @@ private:
     WalkedPast out_;
     size_t listed_ = 0, begun_ = 0, turn_ = 0;
     const std::vector<GitChange>* elsewhere_of_ = nullptr;
+    const std::vector<GitChange>* gone_of_ = nullptr;
+    FilesGone gone_;
+    const std::vector<Change>* went_of_ = nullptr;
+    std::unordered_map<std::string, std::vector<std::pair<const Change*, const LoneVersion*>>> went_by_leaf_;
     std::map<std::string, std::vector<LoneVersion>> went_elsewhere_;
     GitRepository changes_git_;  ///< of the lister's thread
     VersionReader own_;

@@ -645,6 +645,41 @@ TEST_F(Audit, FindsTheTextFromBeforeInAnotherFunction) {
     EXPECT_EQ(items(), nlohmann::json::array());
 }
 
+TEST_F(Audit, AnItemSaysBehindWhatItStands) {
+    change("gpu/shade.cu", "    return level", "    level += albedo * cosine * 0.5f;\n    return level");
+    commit("Fix the missing term", 2);
+    const auto found = items();
+    ASSERT_EQ(found.size(), 1) << found;
+    const std::string summary = found[0]["summary"];
+    EXPECT_NE(summary.find("the target lacks `level += albedo * cosine * 0.5f`"), std::string::npos) << summary;
+    EXPECT_NE(summary.find("behind `return 0f` here"), std::string::npos) << summary;
+}
+
+// A pair of two names says less where one of the two has a port of its own name.
+TEST_F(Audit, APairBesideNamesakesIsLessCertain) {
+    const auto kernel = [](const std::string& name, const std::string& bound, const std::string& extra) {
+        return "float " + name + "(const float* w, float level, int n) {\n    float sum = level * 0.5f;\n" +
+               "    for (int i = 0; i < n; ++i) sum += w[i] * level + " + bound + ";\n" + extra +
+               "    if (sum < 0.001f) return 0.0f;\n    return sum * level;\n}\n";
+    };
+    const auto certainty = [&](const std::string& there) {
+        for (const auto& item : items({"--limit", "100"}))
+            if (item["target"] == "cpu/forward.cpp:" + there) return item["certainty"].get<double>();
+        return -1.0;
+    };
+    write("gpu/forward.cu", "__device__ " + kernel("forward", "1.0f", ""));
+    write("cpu/forward.cpp", kernel("forward_half", "1.0f", ""));
+    commit("Forward", 2);
+    change("gpu/forward.cu", "sum < 0.001f", "sum < 0.0001f");
+    commit("Fix the bound", 3);
+    const double alone = certainty("forward_half");
+    EXPECT_GT(alone, 0.5);
+    write("cpu/forward.cpp", kernel("forward", "1.0f", "") + kernel("forward_half", "1.0f", ""));
+    commit("One of the same name", 4);
+    EXPECT_GT(certainty("forward"), 0.5);
+    EXPECT_LT(certainty("forward_half"), alone);
+}
+
 TEST_F(Audit, WhatIsUnlikelyIsListedWhereManyAreAskedFor) {
     change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
     commit("Fix dark surfaces", 2);
