@@ -74,7 +74,7 @@ private:
             const std::vector<std::string> here = words_of_statement(place.now),
                                            there = words_of_statement(place.there);
             if (renames_what_it_declares(there, here) || is_turned_round(there, here)) continue;
-            if (give_the_same_value(target.words[near.index], source.words[i])) continue;
+            if (give_the_same_value(target.words[near.index], source.words[i], has_real_number(here))) continue;
             if (runs_other_threads(here, there)) continue;
             if (takes_in_other_order(target.words[near.index], source.words[i])) continue;
             if (fits_narrower_type(place.there, place.now, place.there) ||
@@ -170,7 +170,8 @@ private:
         if (is_aside(words_of_statement(place.before)) || is_aside(words_of_statement(place.there))) return;
         const std::vector<std::string> was = texts_.translated(place.before, side, true);
         if (texts_.written_out(was, side) == whole) return;  // a value got a name
-        if (give_the_same_value(was, texts_.sides[side].words[line.index])) return;
+        if (give_the_same_value(was, texts_.sides[side].words[line.index], has_real_number(words_of_statement(today))))
+            return;
         if (replaced_.is_one_component(side, texts_.sides[side].words[line.index],
                                        texts_.sides[other(side)].words[found.index]))
             return;

@@ -301,11 +301,13 @@ private:
 
 }  // namespace
 
-bool give_the_same_value(const Text& first, const Text& second) {
+bool has_real_number(const Text& words) { return std::any_of(words.begin(), words.end(), is_real); }
+
+bool give_the_same_value(const Text& first, const Text& second, bool real) {
     const auto [a, b] = without_idle_casts(first, second);
     constexpr uint64_t kDraws = 64;
     constexpr int kFewest = 2;  // where all is a number
-    const bool real = std::any_of(a.begin(), a.end(), is_real) || std::any_of(b.begin(), b.end(), is_real);
+    real = real || has_real_number(a) || has_real_number(b);
     int finite = 0;
     for (uint64_t draw = 0; draw < kDraws; ++draw) {
         const std::vector<double> left = Reading(a, mixed(draw), real).values(),

@@ -15,7 +15,11 @@ namespace porttool {
 ///
 /// Rounding and casts do not count. What is no arithmetic (a comparison, an unknown call, a remainder, `/` between what
 /// may be integers) has a value that depends on its operands alone. False for what cannot be read.
-bool give_the_same_value(const std::vector<std::string>& a, const std::vector<std::string>& b);
+/// `real`: they are known to be of real numbers, as has_real_number() tells of what was written.
+bool give_the_same_value(const std::vector<std::string>& a, const std::vector<std::string>& b, bool real = false);
+
+/// True for words of which one is a number with a point, an exponent or an `f`.
+bool has_real_number(const std::vector<std::string>& words);
 
 /// True for two branches of which one is taken where the other is not: `if (a <= i || i < b)`, `if (i < a && i >= b)`.
 bool ask_the_opposite(const std::vector<std::string>& a, const std::vector<std::string>& b);
