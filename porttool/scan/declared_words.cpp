@@ -110,7 +110,7 @@ private:
     bool is_linked() const {
         for (size_t i = 0; i < statement_.size(); ++i)
             if (is_one_of(word(i), {"asm", "__asm", "__asm__", "alias", "__alias__", "ifunc", "__ifunc__", "weakref",
-                                   "__weakref__"}) &&
+                                    "__weakref__"}) &&
                 word(i + 1) == "(")
                 return true;
         return false;
