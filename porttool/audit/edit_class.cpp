@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "porttool/audit/past_edit.h"
-#include "porttool/normal/declaration_words.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/statements.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "porttool/language/words.h"
-#include "porttool/normal/declaration_words.h"
 #include "porttool/normal/statements.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {

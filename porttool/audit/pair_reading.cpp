@@ -13,6 +13,7 @@
 #include "porttool/audit/same_value.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/statements.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
@@ -263,6 +264,16 @@ private:
         return near.any ? 1 - near.distance / (one.sum + alone_[side][near.index].sum) : 0;
     }
 
+    /// The statement before that one which tells a reader where it stands; "" for none.
+    WrittenStatement statement_before(Side side, size_t index) const {
+        for (size_t i = index; i-- > 1;) {
+            const std::vector<std::string> words = words_of_statement(texts_.sides[side].written[i]);
+            if (!words.empty() && !is_one_of(words[0], {"#", "else", "break", "continue", "default"}))
+                return texts_.sides[side].written[i];
+        }
+        return "";
+    }
+
     /// A statement that a commit brought in, where the other side has none like it.
     template <class Note>
     void judge_added(Side side, const StatementLineage& line, const Note& note) {
@@ -277,7 +288,7 @@ private:
         MissingPlace place;
         place.kind = MissingPlace::Kind::Added;
         place.now = texts_.sides[side].written[line.index];
-        if (line.index > 1) place.behind = texts_.sides[side].written[line.index - 1];
+        place.behind = statement_before(side, line.index);
         place.strength = 0.8f * std::min(1.0f, (1 - there) / 0.6f) * otherwise_.lacking(side, line.index);
         if (place.strength < kFaint || otherwise_.is_said_in_call(side, line.index)) return;
         note(born.commit, std::move(place));

@@ -13,8 +13,8 @@
 
 #include "porttool/audit/idle_casts.h"
 #include "porttool/language/words.h"
-#include "porttool/normal/declaration_words.h"
 #include "porttool/normal/statements.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
