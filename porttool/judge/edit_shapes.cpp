@@ -11,6 +11,7 @@
 #include "porttool/language/words.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/normal_text.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -200,6 +201,60 @@ std::string handed_on(const std::vector<std::string>& lines) {
         if (has(shorter[i]) || !has(longer[i]) || without_item(longer[i], name) != shorter[i]) return {};
     }
     return (is_new ? "+ " : "- ") + std::string(name);
+}
+
+EditShape shape_of_edit(const std::vector<std::string>& lines) {
+    constexpr size_t kLeast = 8, kMost = 4'000;  // words: names and numbers that came or went; all
+    EditShape out;
+    std::map<std::string_view, size_t> numbers;
+    size_t all = 0;
+    for (const std::string_view line : lines) {
+        for (const std::string_view word : words_of(line)) {
+            ++all;
+            if (!is_word_token(word) || is_type_word(word) || word_is(word, kKeyword)) {
+                (out.text += word) += ' ';
+                continue;
+            }
+            const auto [known, is_new] = numbers.try_emplace(word, numbers.size());
+            if (is_new) out.names.emplace_back(word);
+            out.text += "n" + std::to_string(known->second) + " ";
+        }
+        out.text += '\n';
+    }
+    const bool is_of_one_side = std::all_of(lines.begin(), lines.end(), [](const std::string& line) {
+        return line.starts_with("- ") || line.starts_with("+ ");
+    });
+    size_t edited = all;
+    if (is_of_one_side) {
+        edited = 0;
+        for (const EditSpot& spot : spots_of(lines)) edited += spot.words;
+    }
+    return edited >= kLeast && lines.size() > 1 && all <= kMost ? out : EditShape();
+}
+
+bool names_tell_apart(const std::vector<std::string>& names, std::string_view unit,
+                      const std::vector<std::string>& other_names, std::string_view other_unit) {
+    const auto is_inside = [](std::string_view name, size_t i) {
+        return i > 0 && i < name.size() && name[i - 1] != '_' && name[i] != '_';
+    };
+    const size_t least = std::min(unit.size(), other_unit.size());
+    size_t same = 0, tail = 0;
+    while (same < least && unit[same] == other_unit[same]) ++same;
+    while (same > 0 && (is_inside(unit, same) || is_inside(other_unit, same))) --same;
+    while (tail < least - same && unit[unit.size() - 1 - tail] == other_unit[other_unit.size() - 1 - tail]) ++tail;
+    while (tail > 0 && (is_inside(unit, unit.size() - tail) || is_inside(other_unit, other_unit.size() - tail))) --tail;
+    const std::string part = in_small_letters(unit.substr(same, unit.size() - tail - same));
+    const std::string other = in_small_letters(other_unit.substr(same, other_unit.size() - tail - same));
+    if (names.size() != other_names.size()) return false;
+    for (size_t i = 0; i < names.size(); ++i) {
+        if (names[i] == other_names[i]) continue;
+        std::string name = in_small_letters(names[i]);
+        if (part.empty()) return false;
+        for (size_t at = name.find(part); at != std::string::npos; at = name.find(part, at + other.size()))
+            name.replace(at, part.size(), other);
+        if (name != in_small_letters(other_names[i])) return false;
+    }
+    return true;
 }
 
 std::set<EditSpot> spots_of(const std::vector<std::string>& lines) {

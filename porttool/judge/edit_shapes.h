@@ -6,6 +6,7 @@
 #include <compare>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace porttool {
@@ -49,5 +50,20 @@ struct EditSpot {
 ///     + v = get_int_b2(b->qs, i)
 ///     + int sum = 0
 std::set<EditSpot> spots_of(const std::vector<std::string>& lines);
+
+/// What an edit, or two edits that differ, did beside the names in it.
+struct EditShape {
+    std::string text;                ///< with names numbered; "" of an edit so short that it may be alike by chance
+    std::vector<std::string> names;  ///< by their numbers
+};
+
+EditShape shape_of_edit(const std::vector<std::string>& lines);
+
+/// True if the names of two edits of one shape differ only as the names of the two units do.
+///
+///     post_left     left_buffer kLeft n
+///     post_top      top_buffer kTop n          they do; `left_buffer kTop n` does not
+bool names_tell_apart(const std::vector<std::string>& names, std::string_view unit,
+                      const std::vector<std::string>& other_names, std::string_view other_unit);
 
 }  // namespace porttool

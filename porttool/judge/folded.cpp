@@ -179,9 +179,13 @@ public:
             if (finding->level <= Level::Note || !is_edit_of_a_side(*finding)) continue;
             std::set<EditSpot> spots = spots_of(finding->details);
             if (spots.empty()) continue;
-            for (const EditSpot& spot : spots) units_[place_of(*finding) + spot.text].insert(subject_of(*finding));
+            for (const EditSpot& spot : spots) {
+                units_[place_of(*finding) + spot.text].insert(subject_of(*finding));
+                if (spot.of_call) units_[place_of(*finding) + callee_of(spot)].insert(subject_of(*finding));
+            }
             edits_.push_back({finding, std::move(spots)});
         }
+        for (Edit& edit : edits_) name_by_callee(edit);
     }
 
     /// The findings that are told with one, by that one.
@@ -218,18 +222,83 @@ private:
         return std::string(rule_name(finding.rule)) + "\n" + finding.target_set + "\n";
     }
 
-    /// True if each of its spots is one of several units: of more than a few words, or a call that goes to another
-    /// function in more of them than a slip would.
+    /// The spot of a call as the function says it that is called now, in the place of whatever other.
+    static std::string callee_of(const EditSpot& spot) { return "call" + spot.text.substr(spot.text.find('>')); }
+
+    /// Calls of several functions that go to one now are one edit, in many units: of edits that do more than that.
+    void name_by_callee(Edit& edit) const {
+        if (edit.spots.size() < 2) return;
+        std::set<EditSpot> spots;
+        for (EditSpot spot : edit.spots) {
+            const std::string place = place_of(*edit.finding);
+            if (spot.of_call && units_.at(place + spot.text).size() < kMany)
+                if (std::string callee = callee_of(spot); units_.at(place + callee).size() >= kMany)
+                    spot.text = std::move(callee);
+            spots.insert(std::move(spot));
+        }
+        edit.spots = std::move(spots);
+    }
+
+    /// True if each of its spots is one of several units: of more than a few words, a call that goes to another
+    /// function in more of them than a slip would, or in so many that it was meant.
     bool is_common(const Edit& edit) const {
-        constexpr size_t kLong = 4, kSeveral = 3, kMany = 5;
+        constexpr size_t kLong = 4, kSeveral = 3, kSweep = 8;
+        const bool is_slight = edit.spots.size() == 1 && edit.spots.begin()->text != "> &";
         return std::all_of(edit.spots.begin(), edit.spots.end(), [&](const EditSpot& spot) {
             const size_t units = units_.at(place_of(*edit.finding) + spot.text).size();
-            return spot.words >= kLong ? units >= kSeveral : spot.of_call && units >= kMany;
+            if (spot.words >= kLong) return units >= kSeveral;
+            return (spot.of_call && units >= kMany) || (!is_slight && units >= kSweep);
         });
     }
 
+    static constexpr size_t kMany = 5;
+
     std::vector<Edit> edits_;
     std::map<std::string, std::set<std::string>> units_;  ///< that have a spot in their edit
+};
+
+/// Long edits that are one but for what tells their units apart by name: what was done to `left` was done to `right`.
+class EditsOfSiblings {
+public:
+    explicit EditsOfSiblings(const std::vector<Finding*>& loud) {
+        std::map<std::string, std::vector<std::pair<Finding*, EditShape>>> by_shape;
+        for (Finding* finding : loud) {
+            const bool is_edit = is_edit_of_a_side(*finding) || finding->rule == Rule::PortDiffers;
+            if (finding->level <= Level::Note || !is_edit) continue;
+            EditShape shape = shape_of_edit(finding->details);
+            if (shape.text.empty()) continue;
+            auto& alike =
+                by_shape[std::string(rule_name(finding->rule)) + "\n" + finding->target_set + "\n" + shape.text];
+            alike.emplace_back(finding, std::move(shape));
+        }
+        for (const auto& [text, alike] : by_shape) add_groups(alike);
+    }
+
+    const std::vector<std::vector<Finding*>>& groups() const { return groups_; }
+
+private:
+    void add_groups(const std::vector<std::pair<Finding*, EditShape>>& alike) {
+        constexpr size_t kMostFirst = 16;
+        std::vector<size_t> first;  // of each group
+        const size_t begin = groups_.size();
+        for (size_t i = 0; i < alike.size(); ++i) {
+            const auto& [finding, shape] = alike[i];
+            const auto group =
+                std::find_if(first.begin(), first.end(), [&, &finding = finding, &shape = shape](size_t k) {
+                    return names_tell_apart(alike[k].second.names,
+                                            leaf_of(split_id(subject_of(*alike[k].first)).second), shape.names,
+                                            leaf_of(split_id(subject_of(*finding)).second));
+                });
+            if (group != first.end()) {
+                groups_[begin + static_cast<size_t>(group - first.begin())].push_back(finding);
+            } else if (first.size() < kMostFirst) {
+                first.push_back(i);
+                groups_.push_back({finding});
+            }
+        }
+    }
+
+    std::vector<std::vector<Finding*>> groups_;
 };
 
 /// The first says what the others are and lists them; they become notes that name it.
@@ -277,6 +346,10 @@ void fold_findings(FindingList& findings, const MapFile& map) {
     }
     for (const auto& [first, others] : CommonEdits(loud).run())
         tell_with(*first, others, "more pairs have nothing but parts of the same edit");
+    const EditsOfSiblings siblings(loud);
+    for (const std::vector<Finding*>& group : siblings.groups())
+        if (group.size() > 1)
+            tell_with(*group.front(), std::span(group).subspan(1), "more pairs have the same edit in their own names");
 }
 
 void ease_orphans(FindingList& findings, const std::vector<JudgedPair>& pairs) {

@@ -31,6 +31,7 @@ public:
         find_relatives();
         find_rows();
         find_barren_places();
+        find_answered_kernels();
         climb();
         follow();
         find_new_files();
@@ -124,7 +125,8 @@ private:
             return;
         }
         if (kind == UserKind::Unported) uses_[&user].insert(&used);
-        if (used.kind == UnitKind::Kernel) return;  // news whoever uses it
+        leads_.emplace(&used, std::pair(&user, kind));
+        if (used.kind == UnitKind::Kernel) return;  // told with others by find_answered_kernels() alone
         auto& users = users_[&used][static_cast<size_t>(kind)];
         if (users.size() < kMost && (users.empty() || users.back() != &user)) users.push_back(&user);
     }
@@ -286,6 +288,34 @@ private:
         return colons == std::string::npos ? std::string_view() : std::string_view(unit.name).substr(0, colons);
     }
 
+    /// A port in another language of kernels has a kernel's work in what is the port of its launcher, often: a new
+    /// kernel is told with the units that launch it, directly or through new functions, if all of them answer for it.
+    void find_answered_kernels() {
+        for (const UnitState* kernel : units_.unported) {
+            if (kernel->kind != UnitKind::Kernel) continue;
+            std::set<const UnitState*> seen = {kernel};
+            std::vector<const UnitState*> open = {kernel};
+            std::string says;
+            bool all_answer = true;
+            while (!open.empty() && all_answer) {
+                const auto [first, last] = leads_.equal_range(open.back());
+                open.pop_back();
+                for (auto use = first; use != last; ++use) {
+                    const auto& [user, kind] = use->second;
+                    if (!seen.insert(user).second || kind == UserKind::Unwatched) continue;
+                    if (kind == UserKind::Unported) {
+                        open.push_back(user);
+                        continue;
+                    }
+                    const std::string answer = units_.answers_for_kernels(*user);
+                    all_answer = all_answer && !answer.empty();
+                    if (says.empty() && !answer.empty()) says = user->id + " launches it, " + answer;
+                }
+            }
+            if (all_answer && !says.empty()) told_.emplace(kernel, says);
+        }
+    }
+
     /// What calls a new launcher, or names a new kernel, is on the way to the kernel, which is told.
     void climb() {
         std::map<const UnitState*, std::vector<const UnitState*>> users;
@@ -358,7 +388,8 @@ private:
     std::unordered_map<std::string_view, Names> names_in_files_;  ///< by file: what is new there and has namesakes
     std::array<bool, 65> lengths_ = {};                           ///< of the names, the last for all that are longer
     std::map<const UnitState*, Users> users_;
-    std::map<const UnitState*, std::set<const UnitState*>> uses_;  ///< of units without a counterpart
+    std::map<const UnitState*, std::set<const UnitState*>> uses_;                   ///< of units without a counterpart
+    std::multimap<const UnitState*, std::pair<const UnitState*, UserKind>> leads_;  ///< from what is used to its users
     std::map<const UnitState*, std::string> told_;
 };
 

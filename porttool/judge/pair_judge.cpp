@@ -19,6 +19,7 @@
 #include "porttool/compare/settled_edits.h"
 #include "porttool/compare/switch_arms.h"
 #include "porttool/compare/switch_cases.h"
+#include "porttool/compare/unread_locals.h"
 #include "porttool/language/hazards.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/prelude.h"
@@ -361,6 +362,12 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
         return weaken(pair, finding, Level::Note,
                       names_parts ? "it only names a part, or writes it out"
                                   : "it computes what it computed before, in other statements");
+    if (only_concerns_unread_locals(texts.before, texts.now, dialect_))
+        return weaken(pair, finding, Level::Note, "it only brings or takes names that nothing reads");
+    // What the port holds before it is given anything is its own matter; the source may have mended a fault of both.
+    const bool is_own_matter = !is_contract(facts_.map.reference, side);
+    if (is_own_matter && only_gives_first_values(texts.before, texts.now))
+        return weaken(pair, finding, Level::Note, "it only gives first values to names that had none");
     const std::string there_is = side == Side::Source ? "the port" : "the source";
     if (only_tends_foreign_runtime(texts.before, texts.now, texts.other))
         return weaken(pair, finding, Level::Note,
@@ -372,8 +379,9 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
     if (draws_nearer(texts, dialect_))
         return weaken(pair, finding, only_takes(texts.before, texts.now) ? Level::Warning : Level::Note,
                       there_is + " has most of it");
-    if (is_off_common_ground(texts, dialect_))
-        weaken(pair, finding, only_tends_runtime(texts.before, texts.now) ? Level::Note : Level::Warning,
+    if (is_off_common_ground(texts, dialect_))  // what only the port has is nobody's to follow
+        weaken(pair, finding,
+               is_own_matter || only_tends_runtime(texts.before, texts.now) ? Level::Note : Level::Warning,
                there_is + " has nothing like what it changes");
 }
 

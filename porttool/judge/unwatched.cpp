@@ -90,7 +90,21 @@ private:
         const std::set<const UnitState*> lone(units_.begin(), units_.end()), is_fresh(fresh.begin(), fresh.end());
         const auto tells_of = [&](const UnitState& user, std::string_view word) { return this->tells_of(user, word); };
         const FilesOfSide* files = facts_.files ? &(*facts_.files)[side_] : nullptr;
-        told_ = told_with_others({units_of(facts_, side_), lone, is_fresh, unported, files, tells_of});
+        std::set<std::string> differ;  // the pairs of this side of which both edits are told as an error
+        for (const Finding& finding : findings_.from(0))
+            if (finding.rule == Rule::PortDiffers && is_open(finding) && finding.level == Level::Error)
+                differ.insert(side_ == Side::Source ? finding.map_source : finding.map_target);
+        const auto answers = [&](const UnitState& user) -> std::string {
+            const auto counterpart = counterparts.find(&user);
+            if (counterpart != counterparts.end())
+                return counterpart->second.score >= kCertain ? "which looks like " + counterpart->second.unit->id : "";
+            const auto [first, last] = pairs_of_.equal_range(&user);
+            const bool is_told = first != last && std::all_of(first, last, [&](const auto& one) {
+                                     return differ.contains(one.second->id[side_]);
+                                 });
+            return is_told ? "whose port changed as well" : "";
+        };
+        told_ = told_with_others({units_of(facts_, side_), lone, is_fresh, unported, files, tells_of, answers});
     }
 
     /// False for a watched unit whose edit is only a note, or that said the word at the merge base already.

@@ -108,11 +108,18 @@ TEST(QuietGate, WhatTouchesNothingInCommonIsAWarningAndUpkeepOfARuntimeANote) {
     EXPECT_EQ(level_after("cudaSetDevice(kDevice)", "cudaSetDeviceFlags(kDevice)"), "error");
 }
 
-TEST(QuietGate, WhatTouchesNothingInCommonIsTold) {
+TEST(QuietGate, WhatTouchesNothingInCommonIsThePortsOwnMatter) {
     const Loud told = {"target-changed s/k.cu:f"};
     const std::string open = "device.open();";
     EXPECT_EQ(after_port(open, "device.open();\n  if (pool.is_shared(device)) { pool.advise(device, Usage::Often); }"),
-              told);
+              Loud{});
+    // The source's is told: a port may need the like of it.
+    EXPECT_EQ(loud({{"s/k.cu", kPort}, {"t/k.cpp", kSource}},
+                   {{"s/k.cu", replaced(kPort, open,
+                                        "device.open();\n  if (pool.is_shared(device)) { "
+                                        "pool.advise(device, Usage::Often); }")}},
+                   {"s/k.cu:f=t/k.cpp:f"}),
+              Loud{"source-changed s/k.cu:f"});
     // The same in the middle of what both have; a word or two; another number; a pragma; the same in another order.
     EXPECT_EQ(after_port("{ y[at]", "{ if (pool.is_shared(device)) { pool.advise(device, Usage::Often); } y[at]"),
               told);
@@ -141,9 +148,9 @@ TEST(QuietGate, WhereTextsAreApartOnlyWholeClausesAreCommonGround) {
     };
     const Loud told = {"target-changed s/k.cl:f"};
     EXPECT_EQ(after("Guard guard(job.Lock());", "if (job.IsWide()) { job.Split(tile); }\n  Guard guard(job.Lock());"),
-              told);
+              Loud{});
     EXPECT_EQ(after("job.Finish();", "job.Finish();\n#ifdef TRACE_JOBS\n  job.Trace(Level::All, Sink::Own);\n#endif"),
-              told);
+              Loud{});
     EXPECT_EQ(after("job.Finish();", "job.Finish();\n  clReleaseEvent(begun); clReleaseEvent(ended);"), Loud{});
     // A word or two, the same word twice; a number for a number; what the compiler is told; beside what both say, and
     // in it.
@@ -684,6 +691,115 @@ TEST(QuietGate, WhatManyUnitsDoAlikeIsToldOnce) {
     for (const char* slip : {"3.5f", "x9.y", "q[1]"})
         EXPECT_EQ(count(std::vector<Change>(kUnits, {"load_bytes", "", "", slip})), 5u) << slip;
     EXPECT_EQ(count(std::vector<Change>(kUnits, {"load_bytes", "", "", "3 && q[0] || q[1]"})), 1u);
+}
+
+TEST(QuietGate, WhatASweepDoesToManyUnitsIsToldOnce) {
+    constexpr int kUnits = 9;
+    const auto file = [](const std::string& type, const std::string& view, int slip, const std::string& term) {
+        std::string out;
+        for (int i = 0; i < kUnits; ++i) {
+            const std::string name = "f" + std::to_string(i), own = "x" + std::to_string(i);
+            out += "int " + name + "(View " + view + own + ", int n) {\n  const " + type + " at = n / " +
+                   std::to_string(i + 2) + ";\n  return " + own + "[at] * " + (i == slip ? term : "3") + ";\n}\n";
+        }
+        return out;
+    };
+    std::vector<std::string> pairs;
+    for (int i = 0; i < kUnits; ++i) pairs.push_back("s/k.cu:f" + std::to_string(i) + "=t/k.cpp:f" + std::to_string(i));
+    const std::string was = file("size_t", "", -1, "");
+    const auto count = [&](const std::string& now) {
+        return loud({{"s/k.cu", was}, {"t/k.cpp", was}}, {{"t/k.cpp", now}}, pairs).size();
+    };
+    EXPECT_EQ(count(file("int", "& ", -1, "")), 1u);
+    EXPECT_EQ(count(file("int", "& ", 4, "4")), 2u) << "with a slip in one of them";
+    EXPECT_EQ(count(file("int", "& ", 4, "n")), 2u);
+    EXPECT_EQ(count(file("size_t", "& ", -1, "")), 1u) << "references alone";
+    EXPECT_EQ(count(file("int", "", -1, "")), 9u) << "one word may be a slip, however often";
+}
+
+TEST(QuietGate, CallsThatGoToOneFunctionNowAreToldOnce) {
+    const std::vector<std::string> was = {"load_u8", "load_u8", "load_i8", "load_i8_aligned", "load_raw"};
+    const auto file = [&](const std::vector<std::string>& loads, const std::string& peek) {
+        std::string out;
+        for (size_t i = 0; i < loads.size(); ++i)
+            out += "int f" + std::to_string(i) + "(const int* q, int k) {\n  return " + loads[i] + "(q, k + " +
+                   std::to_string(i) + ") * " + peek + "(q, " + std::to_string(i + 2) + ");\n}\n";
+        return out;
+    };
+    std::vector<std::string> pairs;
+    for (size_t i = 0; i < was.size(); ++i)
+        pairs.push_back("s/k.cu:f" + std::to_string(i) + "=t/k.cpp:f" + std::to_string(i));
+    const auto count = [&](const std::vector<std::string>& loads, const std::string& peek) {
+        const std::string then = file(was, "peek");
+        return loud({{"s/k.cu", then}, {"t/k.cpp", then}}, {{"s/k.cu", file(loads, peek)}}, pairs).size();
+    };
+    const std::vector<std::string> now(5, "load_b2");
+    EXPECT_EQ(count(now, "peek_b4"), 1u);
+    EXPECT_EQ(count({"load_b2", "load_b2", "load_b2", "load_b2", "load_b4"}, "peek_b4"), 5u) << "so few may be slips";
+    EXPECT_EQ(count(now, "peek"), 5u) << "one word of each";
+}
+
+TEST(QuietGate, TheSameEditOfSiblingsIsToldOnce) {
+    const auto function = [](const std::string& part, const std::string& constant, bool now) {
+        const std::string buffer = part + "_buffer", flag = part + "_flag";
+        return "void post_" + part + "(float* " + buffer + ", int* " + flag + ", int n) {\n" +
+               (now ? "  exchange(" + constant + ", " + buffer + ", " + flag + ", n, Mode::Staged, 4);\n"
+                    : "  const int to = ranks[k_" + part + "] - 1;\n  send(" + buffer + ", n, to);\n  receive(" + flag +
+                          ", 1, to);\n") +
+               "  wait_for(" + flag + ");\n}\n";
+    };
+    const auto file = [&](const std::string& of_top, const std::string& of_left, bool now) {
+        return function("top", of_top, now) + function("left", of_left, now);
+    };
+    const std::string was = file("", "", false);
+    const auto count = [&](const std::string& of_top, const std::string& of_left) {
+        return loud({{"s/k.cu", was}, {"t/k.cpp", was}}, {{"s/k.cu", file(of_top, of_left, true)}},
+                    {"s/k.cu:post_top=t/k.cpp:post_top", "s/k.cu:post_left=t/k.cpp:post_left"})
+            .size();
+    };
+    EXPECT_EQ(count("kTop", "kLeft"), 1u);
+    EXPECT_EQ(count("kTop", "kRight"), 2u) << "another name than the unit's";
+    EXPECT_EQ(count("kTop", "kTop"), 1u) << "the same word in both is no name of theirs";
+    EXPECT_EQ(count("kTop", "left_flag"), 2u);
+}
+
+TEST(QuietGate, NamesThatNothingReads) {
+    const auto level = [](const std::string& from, const std::string& to, const char* edited = "s/k.cu") {
+        const std::string source =
+            "void f(float* y, const float* x, const Rows& rows, int n) {\n  float gain, drop, spare;\n"
+            "  const int all = rows.size();\n  gain = x[0] * 0.5f;\n  drop = gain * 2.0f;\n  spare = drop;\n"
+            "  y[n] = gain + drop;\n}\n";
+        const std::string port =
+            "void f(Span y, Span x, const Table& rows, int n) {\n  float gain, drop;\n  gain = x.load(0) * 0.5f;\n"
+            "  drop = gain * 2.0f;\n  Job job(rows); job.each(n);\n  y.store(n, gain + drop);\n}\n";
+        MemoryDisk disk;
+        disk.files = {{"/r/s/k.cu", source},
+                      {"/r/t/k.cpp", port},
+                      {"/r/portmap.toml",
+                       "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n"
+                       "[[pair]]\nsource = \"s/k.cu:f\"\ntarget = \"t/k.cpp:f\"\n"}};
+        EXPECT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0);
+        std::string& text = disk.files[std::string("/r/") + edited];
+        text = replaced(text, from, to);
+        const auto report = check(disk);
+        return report["findings"].empty() ? std::string() : report["findings"][0]["level"].get<std::string>();
+    };
+    EXPECT_EQ(level("  const int all = rows.size();\n", ""), "note");
+    EXPECT_EQ(level("  spare = drop;\n", ""), "note");
+    EXPECT_EQ(level("const int all = rows.size();", "const int all = 2 * n;"), "note");
+    EXPECT_EQ(level("float gain, drop, spare;", "float gain, drop, spare, more;"), "note");
+    EXPECT_EQ(level("  spare = drop;\n", "  drop = spare;\n"), "error") << "what nobody read is read";
+    EXPECT_EQ(level("  drop = gain * 2.0f;\n", "  spare = gain * 2.0f;\n"), "error");
+    EXPECT_EQ(level("gain + drop", "spare + drop"), "error");
+    EXPECT_EQ(level("  const int all = rows.size();\n", "  const int all = rows.take();\n"), "error")
+        << "what may do more than to tell";
+    EXPECT_EQ(level("  spare = drop;\n", "  spare = drop = 0.0f;\n"), "error");
+    EXPECT_EQ(level("  spare = drop;\n", "  x.spare = drop;\n"), "error") << "a field";
+    // First values.
+    EXPECT_EQ(level("float gain, drop;", "float gain = 0, drop{};", "t/k.cpp"), "note");
+    EXPECT_EQ(level("float gain, drop, spare;", "float gain = 0, drop{}, spare;"), "error")
+        << "both may have lacked it";
+    EXPECT_EQ(level("  drop = gain * 2.0f;\n", "", "t/k.cpp"), "warning") << "the other way round";
 }
 
 TEST(QuietGate, AMacroWithinATextIsToldWithTheEditOfBothSides) {

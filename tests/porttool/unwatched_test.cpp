@@ -442,6 +442,44 @@ TEST(Unwatched, OfAKernelAndItsLauncherTheKernelIsTold) {
         << "what [rules] says wins";
 }
 
+TEST(Unwatched, ANewKernelIsToldWithWhatLaunchesItWhereThatHasACounterpart) {
+    const std::string kernel =
+        "__global__ void tint_rows(float* a, int n) {\n    int i = threadIdx.x;\n"
+        "    if (i < n) a[i] = a[i] * 3.0f;\n}\n";
+    const std::string launch = "    tint_rows<<<1, n>>>(a, n);\n";
+    const auto tint = [&](const std::string& does) {
+        return "int tint_all(float* a, int n, int times) {\n    int done = 0;\n"
+               "    for (int k = 0; k < times; ++k) {\n    done += n;\n" +
+               does + "    }\n    return done;\n}\n";
+    };
+    const std::string loop = "    for (int i = 0; i < n; ++i) a[i] = a[i] * 3.0f;\n";
+    const auto of_kernel = [](const nlohmann::json& report) {
+        std::string out;
+        for (const auto& finding : report["findings"])
+            if (!finding["source"].is_null() && finding["source"]["id"] == "src/k.cu:tint_rows")
+                out += finding["level"].get<std::string>();
+        return out;
+    };
+    {
+        MemoryDisk disk = started(kLum, kLumPort);
+        disk.files["/r/src/k.cu"] = kLum + kernel + tint(launch);
+        EXPECT_EQ(unported_in(check(disk)),
+                  (std::vector<std::string>{"src/k.cu:tint_all note", "src/k.cu:tint_rows error"}));
+        disk.files["/r/port/k.comp"] = kLumPort + tint("    tint_tile(a, n, done % 7, rows_of(done));\n");
+        const auto report = check(disk);
+        EXPECT_EQ(of_kernel(report), "note") << "the launcher asks for the look: " << report.dump(1);
+        EXPECT_EQ(report["verdict"], "drift");
+    }
+    // A launcher that was there: its edit is told with the kernel where the port followed in its own way, and the
+    // kernel is news where the port did not.
+    MemoryDisk disk = started(kLum + tint(""), kLumPort + tint(""));
+    disk.files["/r/src/k.cu"] = kLum + kernel + tint(launch);
+    EXPECT_EQ(unported_in(check(disk)), (std::vector<std::string>{"src/k.cu:tint_rows error"}));
+    disk.files["/r/port/k.comp"] = kLumPort + tint(loop);
+    EXPECT_EQ(unported_in(check(disk)), (std::vector<std::string>{"src/k.cu:tint_rows note"}));
+    EXPECT_EQ(check(disk)["verdict"], "drift");
+}
+
 TEST(Unwatched, OneMoreVariantOfWhatHasNoPortIsNoNews) {
     const std::string tile = "template <int N> struct Tile { int rows; int area(int n) { return n * rows; } };\n";
     const std::string more =
