@@ -6,6 +6,7 @@
 
 #include "porttool/audit/around.h"
 #include "porttool/audit/common_texts.h"
+#include "porttool/audit/guard_forms.h"
 
 namespace porttool {
 
@@ -22,6 +23,8 @@ public:
         return has_in_shape(side, index) || stands_alike_in_file(side, index) || only_brings(side, index) ||
                only_guards(side, index) || is_part_of_swap(side, index) || is_bound_of_loop(side, index) ||
                names_value(side, index) || heads_a_message(texts_.sides[side], index) ||
+               is_clamped_otherwise(texts_.sides[side], index, texts_.sides[other(side)]) ||
+               is_asked_in_part(texts_.sides[side], index, texts_.sides[other(side)]) ||
                is_alternative(texts_.sides[side], index, texts_.sides[other(side)]);
     }
 

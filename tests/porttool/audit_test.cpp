@@ -533,6 +533,15 @@ TEST_F(HandMadeAudit, EditsThatEachSideMakesInItsOwnWay) {
         {"start", "Turn turn; turn.around(level); sum += turn.of(w[k]); level *= 3.0f;",
          "Turn turn; turn.first = float3(1.0f, 0.0f, 0.0f); turn.around(level); sum += turn.of(w[k]); level *= 3.0f;",
          false, "RotationMatrix turn; turn.around(level); sum += turn.of(w[k]); level *= 3.0f;"},
+        {"clamped", "sum += level * w[k]; level *= 3.0f;",
+         "sum += level * w[k]; if (sum < level * wide) sum = level * wide; level *= 3.0f;", false,
+         "sum += level * w[k]; sum = fmax(sum, wide * level); level *= 3.0f;"},
+        {"capped", "sum += level * w[k]; level *= 3.0f;",
+         "sum += level * w[k]; if (sum < level * wide) sum = level * wide; level *= 3.0f;", true,
+         "sum += level * w[k]; sum = fmin(sum, wide * level); level *= 3.0f;"},
+        {"parted", "sum += level * w[k]; level *= 3.0f;",
+         "sum += level * w[k]; if (stride > 3 && open) sum = level * wide; level *= 3.0f;", false,
+         "sum += level * w[k];\n#ifdef LEVELS\nif (stride > 3) sum = level * wide;\n#endif\nlevel *= 3.0f;"},
     };
     expect_items(all);
 }
