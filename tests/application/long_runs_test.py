@@ -270,7 +270,7 @@ class LongRuns(unittest.TestCase):
         self.assertEqual(output.read_bytes(), picture, "nothing refused has touched the picture")
         done = render(*resume)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn(f"going on after {samples} samples", done.stderr)
+        self.assertIn(f"going on after {samples} sample" + ("\n" if samples == 1 else "s\n"), done.stderr)
         self.assertFalse(checkpoint.exists())
         one_go = self.file("one.png")
         self.assertEqual(render("-o", str(one_go), "--spp", str(samples + 1)).returncode, 0)
