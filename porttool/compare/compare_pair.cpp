@@ -7,6 +7,8 @@
 
 #include "porttool/compare/call_forms.h"
 #include "porttool/compare/caught_up.h"
+#include "porttool/compare/half_port.h"
+#include "porttool/compare/item_ends.h"
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
 #include "porttool/compare/own_fields.h"
@@ -135,8 +137,14 @@ private:
         EditComparison edits = compare_edits(texts, dialect_, languages);
         if (!edits.equivalent && structs) edits.equivalent = gain_the_same_fields(texts);
         if (!edits.equivalent)
-            edits.equivalent =
-                alike_in_words_of_pair(texts, languages) || alike_without_order_of_cases(texts, languages);
+            edits.equivalent = alike_in_words_of_pair(texts, languages) ||
+                               alike_without_order_of_cases(texts, languages) ||
+                               alike_in_ends_of_items(texts, languages) || alike_in_one_part(texts, languages);
+        if (std::string said = surely_differs(texts); !said.empty()) {
+            edits.differences.insert(edits.differences.begin(), std::move(said));
+            edits.equivalent = false;
+            edits.displaced = true;
+        }
         if (edits.equivalent && declared_alike()) out_.standing = Standing::Equivalent;
         out_.missing = std::move(edits.differences);
         out_.displaced = edits.displaced && !edits.equivalent;
@@ -144,6 +152,38 @@ private:
             out_.missing = {
                 "the two sides declare what they use, or how they are called, otherwise than before, and "
                 "not alike"};
+    }
+
+    /// What makes edits in the same words another program.
+    static std::string surely_differs(const PairTexts& texts) {
+        std::string out = other_ends_of_items(texts);
+        return out.empty() ? half_of_a_port(texts) : out;
+    }
+
+    /// True if the edits are one where the side that loops over items goes on with the next one as the other returns.
+    bool alike_in_ends_of_items(const PairTexts& texts, const BySide<Language>& languages) const {
+        if (loops_of(texts.source_before) == loops_of(texts.target_before)) return false;
+        const bool source_loops = loops_of(texts.source_before) > loops_of(texts.target_before);
+        const auto before = with_returns_for_items(source_loops ? texts.source_before : texts.target_before),
+                   now = with_returns_for_items(source_loops ? texts.source_now : texts.target_now);
+        const Words said_before(before.begin(), before.end()), said_now(now.begin(), now.end());
+        const Words &loops_before = source_loops ? texts.source_before : texts.target_before,
+                    &loops_now = source_loops ? texts.source_now : texts.target_now;
+        if (said_before == loops_before && said_now == loops_now) return false;
+        const PairTexts plain{
+            source_loops ? said_before : texts.source_before, source_loops ? said_now : texts.source_now,
+            source_loops ? texts.target_before : said_before, source_loops ? texts.target_now : said_now};
+        return compare_edits(plain, dialect_, languages).equivalent || alike_in_words_of_pair(plain, languages);
+    }
+
+    /// True if one side says part by part, each part alike, what the other says of all parts at once.
+    bool alike_in_one_part(const PairTexts& texts, const BySide<Language>& languages) const {
+        const EditOfOnePart one = edit_of_one_part(texts);
+        if (!one.any) return false;
+        const Words source_now(one.source_now.begin(), one.source_now.end()),
+            target_now(one.target_now.begin(), one.target_now.end());
+        const PairTexts plain{texts.source_before, source_now, texts.target_before, target_now};
+        return compare_edits(plain, dialect_, languages).equivalent || alike_in_words_of_pair(plain, languages);
     }
 
     bool alike_without_order_of_cases(const PairTexts& texts, const BySide<Language>& languages) const {
