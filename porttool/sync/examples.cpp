@@ -104,6 +104,16 @@ bool is_address_space(std::string_view word) {
 /// What a phrase goes by that is true of heads alone.
 std::string in_heads(const std::string& phrase) { return "\x02" + phrase; }
 
+/// True if a phrase has a comma outside of brackets.
+bool lists_several(const std::string& phrase) {
+    int depth = 0;
+    for (const char c : phrase) {
+        depth += c == '(' || c == '[' ? 1 : c == ')' || c == ']' ? -1 : 0;
+        if (depth == 0 && c == ',') return true;
+    }
+    return false;
+}
+
 bool is_hexadecimal(std::string_view number) { return number.size() > 1 && (number[1] == 'x' || number[1] == 'X'); }
 
 bool is_real(std::string_view number) {
@@ -192,6 +202,10 @@ void Examples::learn(const AlignedText& source, const AlignedText& target, const
                     continue;
                 if (changes_number(source.words, i, end, said) || (end - i < said.size() && are_bound(said))) continue;
                 if (end == i + 1 && said.size() != 1 && (word_is(source.words[i], kKeyword) || declares(said)))
+                    continue;
+                // `const T a` for `Image a`: of what kind a parameter is says nothing of `const`.
+                if (end == i + 1 && word_is(source.words[i], kQualifier) && !is_address_space(source.words[i]) &&
+                    said.size() == 1 && !word_is(said[0], kQualifier) && !is_address_space(said[0]))
                     continue;
                 // `Vec ( x , y )` for `( float2 ) ( x , y )` tells how values are made, not what the type is called.
                 if (end == i + 1 && said.size() == 3 && said.front() == "(" && said.back() == ")" && is_name(said[1]))
@@ -445,6 +459,8 @@ Examples::Phrase Examples::longest(const std::vector<std::string>& words, size_t
             return a.second != b.second ? a.second < b.second : a.first > b.first;
         });
         if (4 * most->second < 3 * found->second.all) continue;  // said in several ways: which one depends on more
+        // What are several arguments there is nothing that can be called, or a member be picked of.
+        if (i + 1 < words.size() && goes_on(words[i + 1]) && lists_several(most->first)) continue;
         out.length = i + 1 - at;
         out.target.clear();
         for (size_t k = 0; k < most->first.size();) {

@@ -291,6 +291,12 @@ bool KnownWords::is_standard_method(std::string_view word) const {
     return are_both_cpp() && has_std() && is_standard(word) && !from_.all.declared().contains(word);
 }
 
+bool KnownWords::is_qualifier_of_both(std::string_view word) const {
+    if (!are_both_cpp()) return false;
+    if (to_.edited.language != Language::C && is_one_of(word, {"constexpr", "typename"})) return true;
+    return is_one_of(word, {"const", "static", "inline", "volatile", "__restrict", "__restrict__"});
+}
+
 bool KnownWords::is_declared_nowhere(std::string_view word) const {
     return !is_of_source(word) && !is_declared_there(word) && dialect_.meaning(word) == nullptr && !is_standard(word);
 }

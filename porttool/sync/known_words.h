@@ -113,6 +113,8 @@ public:
         };
         return is_cpp(from_.edited.language) && is_cpp(to_.edited.language);
     }
+    /// True for a qualifier that both languages have, whether the target's file uses it or not.
+    bool is_qualifier_of_both(std::string_view word) const;
     /// True where both files may include the same headers of the project.
     bool share_headers() const { return are_both_cpp() || are_of_one_language(); }
     /// True for what any file of the target's side has, but for names of one function.

@@ -73,11 +73,19 @@ std::set<uint32_t> values_named(const AlignedText& text, const Clause& clause) {
     return out;
 }
 
+/// True for one more argument, or one fewer: what the others are does not count.
+bool changes_list(const WordsReplaced& one, const AlignedText& target) {
+    if (one.first == one.end)
+        return !one.words.empty() && (one.words.front().text == "," || one.words.back().text == ",");
+    return one.words.empty() && (target.words[one.first] == "," || target.words[one.end - 1] == ",");
+}
+
 /// True if a statement of the port in which words change names other values than the source's did: `z = turned * s`
 /// for `z = z * s` is not what a new `z *= s` stands for.
 bool changes_other_values(const Transplant& found, const AlignedText& before, const AlignedText& target,
                           const Alignment& across) {
     return std::any_of(found.replaced.begin(), found.replaced.end(), [&](const WordsReplaced& one) {
+        if (changes_list(one, target)) return false;
         for (size_t c = 0; c < before.clauses.size(); ++c) {
             if (across.clause_of[c] == Alignment::kNone) continue;
             const Clause& there = target.clauses[across.clause_of[c]];
@@ -357,9 +365,11 @@ void PairCarrier::finish(const PairEdit& edit, const Texts& texts, const Transpl
         compare_now(pair, edit.line, edit.before, source, to_target ? pair.unit.source->prints : state.prints, target,
                     to_target ? state.prints : pair.unit.target->prints, knowledge_.dialect());
     out.state = out.left.empty() ? ProposalState::Proposed : ProposalState::Partial;
-    const bool is_asked_about = compared.standing > Standing::Equivalent &&
-                                (changes_other_values(found, texts.old_text, texts.port_text, texts.across) ||
-                                 !is_only_noted(pair, edit.before, source, target, knowledge_.dialect()));
+    const bool is_asked_about =
+        compared.standing > Standing::Equivalent &&
+        !is_edited_in_same_words(pair, edit.before, source, target, knowledge_.dialect(), found.added.empty()) &&
+        (changes_other_values(found, texts.old_text, texts.port_text, texts.across) ||
+         !is_only_noted(pair, edit.before, source, target, knowledge_.dialect()));
     if (out.left.empty() && is_asked_about) {
         out.state = ProposalState::Partial;
         leave_where(what_differs(compared), "check would still ask about it: " + what_differs(compared));

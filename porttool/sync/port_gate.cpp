@@ -6,6 +6,9 @@
 #include <map>
 #include <string_view>
 
+#include "porttool/compare/alike_spots.h"
+#include "porttool/compare/learned_words.h"
+#include "porttool/compare/own_words.h"
 #include "porttool/compare/settled_edits.h"
 #include "porttool/compare/switch_cases.h"
 #include "porttool/normal/prelude.h"
@@ -42,6 +45,22 @@ bool is_only_noted(const JudgedPair& pair, const BySide<NormalText>& before, con
     const auto language = [&](Side side) { return language_of_path(pair.unit[side]->file); };
     return prelude_of(old_source) == prelude_of(new_source) && prelude_of(old_target) == prelude_of(new_target) &&
            edits_leave_no_difference(texts, dialect, {language(Side::Source), language(Side::Target)});
+}
+
+bool is_edited_in_same_words(const JudgedPair& pair, const BySide<NormalText>& before, const NormalText& source,
+                             const NormalText& target, const Dialect& dialect, bool in_place) {
+    for (const Side side : kBothSides)
+        if (pair.unit[side]->kind != UnitKind::Function && pair.unit[side]->kind != UnitKind::Kernel) return false;
+    const Words old_source = before.source.words(), old_target = before.target.words(), new_source = source.words(),
+                new_target = target.words();
+    if (prelude_of(old_source) != prelude_of(new_source) || prelude_of(old_target) != prelude_of(new_target))
+        return false;
+    const Words source_before = without_prelude(old_source), source_now = without_prelude(new_source),
+                target_before = without_prelude(old_target), target_now = without_prelude(new_target);
+    const PairTexts texts{source_before, source_now, target_before, target_now};
+    if (edits_spot_by_spot(texts, dialect) || (in_place && edits_in_own_words(texts, dialect))) return true;
+    const LearnedWords said = in_words_of_target(texts, dialect, {pair.id.source, pair.id.target});
+    return edits_spot_by_spot({said.before, said.now, target_before, target_now}, dialect);
 }
 
 std::string what_differs(const PairComparison& found) {

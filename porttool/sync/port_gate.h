@@ -23,6 +23,12 @@ PairComparison compare_now(const JudgedPair& pair, const LockedPair& line, const
 bool is_only_noted(const JudgedPair& pair, const BySide<NormalText>& before, const NormalText& source,
                    const NormalText& target, const Dialect& dialect);
 
+/// True if the same words came and went on both sides, at the same places, or for the most part and none in a wrong
+/// place, in statements that are said in two ways: what `check` only notes as well. `in_place`: no statement came, so
+/// that the port's own words stand around all that changed; only then "for the most part" is enough.
+bool is_edited_in_same_words(const JudgedPair& pair, const BySide<NormalText>& before, const NormalText& source,
+                             const NormalText& target, const Dialect& dialect, bool in_place);
+
 /// What stands in the way of two edits that are not equivalent, as a reader is told.
 std::string what_differs(const PairComparison& found);
 

@@ -6,6 +6,7 @@
 
 #include "porttool/compare/compare_pair.h"
 #include "porttool/judge/settle.h"
+#include "porttool/language/words.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_lines.h"
 #include "porttool/sync/call_carrier.h"
@@ -30,6 +31,16 @@ std::vector<std::string> all_words(const NormalText& text) {
     std::vector<std::string> out;
     for (const std::string_view word : text.words()) out.emplace_back(word);
     return out;
+}
+
+/// True if two texts differ in qualifiers alone: `const`, `__restrict__`, `inline`.
+bool differ_in_qualifiers(const NormalText& before, const NormalText& now) {
+    const auto plain = [](const NormalText& text) {
+        Words out = text.words();
+        std::erase_if(out, [](std::string_view word) { return word_is(word, kQualifier); });
+        return out;
+    };
+    return plain(before) == plain(now);
 }
 
 class Proposer {
@@ -109,8 +120,10 @@ private:
                                                                     : "both sides changed alike");
             return out;
         };
-        const bool may_follow = found.standing == Standing::Idle && edited.source != edited.target &&
-                                found.respelled[edited.source ? Side::Source : Side::Target];
+        const Side changed = edited.source ? Side::Source : Side::Target;
+        const bool may_follow =
+            found.standing == Standing::Idle && edited.source != edited.target &&
+            (found.respelled[changed] || differ_in_qualifiers(before[changed], pair.unit[changed]->text));
         if (found.standing <= Standing::Equivalent && !may_follow) return none_is_due();
         Side to = edited.source ? Side::Target : Side::Source;
         if (edited.source && edited.target && checked_.project.map.reference == Reference::Target) to = Side::Source;

@@ -227,7 +227,8 @@ std::vector<std::string> EditTranslator::meaning(const std::vector<std::string>&
 
 bool EditTranslator::are_qualifiers(const std::vector<std::string>& words, size_t first, size_t end) const {
     for (size_t i = first; i < end; ++i)
-        if (!word_is(words[i], kQualifier) || !known_.in_file(words[i])) return false;
+        if (!word_is(words[i], kQualifier) || (!known_.in_file(words[i]) && !known_.is_qualifier_of_both(words[i])))
+            return false;
     return true;
 }
 
@@ -264,7 +265,8 @@ std::string EditTranslator::word(std::string_view text, Use use) const {
     if (const auto unit = units_.names.find(text); unit != units_.names.end() && unit->second.size() == 1)
         return *unit->second.begin();
     if (text == "this" && around_.is_method && known_.are_both_cpp()) return std::string(text);
-    if (brought_.contains(text) || word_is(text, kKeyword | kTypePart | kConstant) || known_.in_file(text))
+    if (brought_.contains(text) || word_is(text, kKeyword | kTypePart | kConstant) || known_.in_file(text) ||
+        known_.is_qualifier_of_both(text))
         return std::string(text);
     if (std::string said = known_.in_dialect(text, use == Use::Call); !said.empty()) return said;
     if (std::string said = pair_.renamed(text); !said.empty()) return said;

@@ -73,7 +73,7 @@ public:
     /// What words mean whatever the side: without scopes, and without what has no counterpart elsewhere.
     std::vector<std::string> meaning(const std::vector<std::string>& words, size_t first, size_t end) const;
 
-    /// True for qualifiers alone that the target's file has as well.
+    /// True for qualifiers alone that the target's file has as well, or its language.
     bool are_qualifiers(const std::vector<std::string>& words, size_t first, size_t end) const;
 
     /// True if a function of either name is declared on neither side, and is none of a language's run time.

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "porttool/language/words.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/sync/operands.h"
@@ -115,11 +116,24 @@ void WordChanger::put(const Hunk& hunk, size_t first, size_t end, const CarriedW
         !uses_.is_local(hunk.now_first) &&
         translator_.declares_alone(texts_.target.words[first], texts_.now.words[hunk.now_first]))
         return leave_run(hunk, first, "the port declares `" + texts_.target.words[first] + "` itself");
+    if (cuts_type(hunk, first, end)) return leave_run(hunk, first, "the port has another type there");
     if (const std::string name = indexed_otherwise(now.words); !name.empty())
         return leave_run(hunk, first, "the port has `" + name + "` with other indices");
     if (const std::string why = uses_.doubt_within(now.words, hunk.now_end, first); !why.empty())
         return leave_run(hunk, first, why);
     out_.replaced.push_back({first, end, now.words, hunk.now_first, hunk.now_end});
+}
+
+bool WordChanger::cuts_type(const Hunk& hunk, size_t first, size_t end) const {
+    const std::vector<std::string>&old = texts_.before.words, &there = texts_.target.words;
+    for (size_t i = hunk.first; i < hunk.end; ++i)
+        if (!is_type_word(old[i])) return false;
+    if (hunk.first == hunk.end) return false;
+    const bool own_before = first > 0 && word_is(there[first - 1], kTypePart) &&
+                            (hunk.first == 0 || old[hunk.first - 1] != there[first - 1]);
+    const bool own_behind =
+        end < there.size() && word_is(there[end], kTypePart) && (hunk.end >= old.size() || old[hunk.end] != there[end]);
+    return own_before || own_behind;
 }
 
 bool WordChanger::is_text_alike(const Hunk& hunk, size_t first, size_t end) const {
@@ -250,12 +264,60 @@ bool WordChanger::insert_run(const Hunk& hunk, size_t was, size_t there) {
         const bool before_operand = left == hunk.first && right == hunk.first &&
                                     is_path(texts_.target.words, first, end) && !is_accessor(words[hunk.now_end - 1]);
         if (after_left == before_right && !before_operand) return false;
-        place = after_left || before_operand ? first : end;
+        place = before_operand ? first : after_left ? end_of_element(first, end) : start_of_element(first, end);
+        if (place == kNothing) return false;
     } else if (left != hunk.first && right != hunk.first) {
         return false;
     }
+    if (was == 0 && initializes_beside_other(hunk)) {
+        leave_run(hunk, place, "the port initializes something else there");
+        return true;
+    }
     put(hunk, place, place, now);
     return true;
+}
+
+size_t WordChanger::start_of_element(size_t first, size_t end) const {
+    const std::vector<std::string>& words = texts_.target.words;
+    int depth = 0;
+    for (size_t i = end; i > 0; --i) {
+        const std::string& word = words[i - 1];
+        if (depth == 0 && (word == "," || word == "(" || word == "{" || word == ":")) return i;
+        if (i == first) break;
+        depth += word == ")" || word == "]" || word == "}" ? 1 : word == "(" || word == "[" || word == "{" ? -1 : 0;
+    }
+    return kNothing;
+}
+
+size_t WordChanger::end_of_element(size_t first, size_t end) const {
+    const std::vector<std::string>& words = texts_.target.words;
+    int depth = 0;
+    for (size_t i = first; i <= end && i < words.size(); ++i) {
+        const std::string& word = words[i];
+        const bool closes = word == ")" || word == "]" || word == "}";
+        if (depth == 0 && (word == "," || word == ";" || word == "{" || closes || (word == ">" && i == end))) return i;
+        depth += word == "(" || word == "[" || word == "{" ? 1 : closes ? -1 : 0;
+    }
+    return kNothing;
+}
+
+bool WordChanger::initializes_beside_other(const Hunk& hunk) const {
+    const std::vector<std::string>&words = texts_.before.words, &is = texts_.now.words;
+    // `m_b ( b )` in `m_a ( a ) , m_b ( b ) {` came as `, m_b ( b )` or as `) , m_b ( b`.
+    const bool is_shifted = is[hunk.now_first] == ")";
+    const size_t comma = hunk.now_first + (is_shifted ? 1 : 0);
+    if (hunk.first == 0 || comma >= hunk.now_end || is[comma] != ",") return false;
+    if (!is_shifted && words[hunk.first - 1] != ")") return false;
+    int depth = is_shifted ? 1 : 0;
+    size_t open = hunk.first;
+    do {
+        --open;
+        depth += words[open] == ")" ? 1 : words[open] == "(" ? -1 : 0;
+    } while (depth != 0 && open > 0);
+    if (open < 2 || !is_word_token(words[open - 1]) || (words[open - 2] != "," && words[open - 2] != ":")) return false;
+    const size_t there = word_of(open - 1);
+    return there == kNothing || there == 0 || there + 1 >= texts_.target.words.size() ||
+           texts_.target.words[there + 1] != "(" || texts_.target.words[there] != words[open - 1];
 }
 
 bool WordChanger::is_neutral(const Hunk& hunk) const {

@@ -57,6 +57,15 @@ private:
     /// New words go between the nearest words that stand for some of the target's, if it has nothing of its own there.
     /// Else an argument goes beside the one that it stands beside in the source.
     bool insert_run(const Hunk& hunk, size_t was, size_t there);
+    /// Where the element of a list begins that has the word at `end`, with what the target has before it, as
+    /// `__global float * a` for `float * a`: not before `first`, kNothing where none begins from there on.
+    size_t start_of_element(size_t first, size_t end) const;
+    /// Where the element of a list ends that the word before `first` is of, as `a [ 0 ]` for `a`; kNothing where none
+    /// ends up to `end`.
+    size_t end_of_element(size_t first, size_t end) const;
+    /// True for a field that a constructor comes to initialize behind one which the target's does not: it may be
+    /// another class's.
+    bool initializes_beside_other(const Hunk& hunk) const;
     /// True for an edit of words that have no counterpart on the other side, or mean the same there: scopes, address
     /// spaces, spellings.
     bool is_neutral(const Hunk& hunk) const;
@@ -73,6 +82,8 @@ private:
     void put_scope(const Hunk& hunk);
     /// True where one name stands for one name, of which nothing else is known.
     bool is_name_alone(const Hunk& hunk, size_t first, size_t end) const;
+    /// True if a type is exchanged of which the target has more words: `int` in `unsigned int`.
+    bool cuts_type(const Hunk& hunk, size_t first, size_t end) const;
     /// True where a text became another, and the target's is near enough to become that as well.
     bool is_text_alike(const Hunk& hunk, size_t first, size_t end) const;
     void leave_run(const Hunk& hunk, size_t target_word, const std::string& why);

@@ -289,6 +289,102 @@ TEST_F(SyncManner, AQueueIsWaitedForWhereTheDeviceIs) {
         "}\n");
 }
 
+TEST_F(SyncManner, AParameterComesBeforeAllOfTheNextOne) {
+    start("k.cu",
+          "__device__ void add(int first, float* out, float value) {\n"
+          "    out[first] += value;\n"
+          "}\n",
+          "k.cl",
+          "void add(int first, __global float* out, float value) {\n"
+          "  out[first] += value;\n"
+          "}\n");
+    expect_written(
+        "__device__ void add(int first, int id, float* out, float value) {\n"
+        "    out[first + id] += value;\n"
+        "}\n",
+        "void add(int first, int id, __global float* out, float value) {\n"
+        "  out[first + id] += value;\n"
+        "}\n");
+}
+
+TEST_F(SyncManner, APartOfATypeIsNotExchanged) {
+    start("k.cu",
+          "void sizes(int n) {\n"
+          "    int bytes = 4 * n;\n"
+          "    report(bytes);\n"
+          "}\n",
+          "k.cpp",
+          "void sizes(int n) {\n"
+          "  unsigned int bytes = 4 * n;\n"
+          "  report(bytes);\n"
+          "}\n");
+    expect_left(
+        "void sizes(int n) {\n"
+        "    size_t bytes = 4 * n;\n"
+        "    report(bytes);\n"
+        "}\n",
+        "another type", 2);
+}
+
+TEST_F(SyncManner, AFieldIsNotInitializedWhereThePortInitializesItsBase) {
+    start("k.cu",
+          "Shift::Shift(int sysdef, int seed)\n"
+          "    : Updater(sysdef), m_seed(seed) {\n"
+          "    notice(seed);\n"
+          "}\n",
+          "k.cpp",
+          "ShiftGpu::ShiftGpu(int sysdef, int seed)\n"
+          "  : Shift(sysdef, seed) {\n"
+          "  notice(seed);\n"
+          "}\n");
+    const nlohmann::json got = proposal_of(
+        "Shift::Shift(int sysdef, int seed, int trigger)\n"
+        "    : Updater(sysdef), m_seed(seed), m_trigger(trigger) {\n"
+        "    notice(seed);\n"
+        "}\n");
+    EXPECT_NE(got["state"], "proposed") << got.dump(1);
+    EXPECT_EQ(got["left"].back()["target_line"], 2) << got.dump(1);
+}
+
+TEST_F(SyncManner, QualifiersAreCarriedWhereSomebodyAsks) {
+    const std::string before = "__global__ void add(float* in, float* out) {\n    out[0] += in[0];\n}\n";
+    start("k.cu", before, "k.hip", before);
+    const std::string now =
+        "__global__ void add(const float* __restrict__ in, float* __restrict__ out) {\n    out[0] += in[0];\n}\n";
+    write(source_path, now);
+    EXPECT_EQ(porttool({"check", "--strict"}).exit_code, 0) << "nothing is due";
+    EXPECT_TRUE(nlohmann::json::parse(porttool({"sync", "--format", "json"}).out)["proposals"].empty());
+    const nlohmann::json got =
+        nlohmann::json::parse(porttool({"sync", "src/k.cu:add", "--format", "json"}).out)["proposals"][0];
+    ASSERT_EQ(got["state"], "proposed") << got.dump(1);
+    ASSERT_EQ(porttool({"sync", "src/k.cu:add", "--apply"}).exit_code, 0);
+    EXPECT_EQ(port_now(), now);
+}
+
+TEST_F(SyncManner, OneMoreArgumentIsNoOtherValue) {
+    start("k.cu",
+          "__device__ void search(const Image in, float* score, const float limit) {\n"
+          "    const int x = threadIdx.x + 3;\n"
+          "    search_core(local_now, score, in.dims[0], in.dims[1], limit, x);\n"
+          "}\n",
+          "k.cl",
+          "void search(__global const float* in, Info info, __global float* score, const float limit,\n"
+          "            __local float* local_image) {\n"
+          "  const int x = get_local_id(0) + 3;\n"
+          "  search_core(local_image, score, info, limit, x);\n"
+          "}\n");
+    expect_written(
+        "__device__ void search(const Image in, float* score, const float limit, const int edge) {\n"
+        "    const int x = threadIdx.x + edge;\n"
+        "    search_core(local_now, score, in.dims[0], in.dims[1], limit, x, edge);\n"
+        "}\n",
+        "void search(__global const float* in, Info info, __global float* score, const float limit, const int edge,\n"
+        "            __local float* local_image) {\n"
+        "  const int x = get_local_id(0) + edge;\n"
+        "  search_core(local_image, score, info, limit, x, edge);\n"
+        "}\n");
+}
+
 TEST_F(SyncManner, ACallWithOtherArgumentsIsTheCallThatItWas) {
     start("k.cl",
           "void hash(u32* w, u32* dgst, u32 n) {\n"
