@@ -93,8 +93,9 @@ protected:
 
 TEST_F(Spirv, AnEditThatDoesNotReachTheCodeIsANote) {
     const std::vector<std::pair<std::string, std::string>> edits = {
-        {"float bounded =", "float unused = value * 17.0;\n    float bounded ="},  // an unused local
-        {"return value * 2.0 / bounded;", "float old = bounded;\n    old = 3.0;\n    return value * 2.0 / bounded;"},
+        {"float bounded =",
+         "float unused = value * 17.0;\n    unused += value;\n    float bounded ="},  // an unused local
+        {"return value * 2.0 / bounded;", "float old = bounded;\n    old += 3.0;\n    return value * 2.0 / bounded;"},
         {"value * 2.0 / bounded", "float(value) * 2.0 / bounded"},    // as what it is already
         {"value * 2.0 / bounded", "value * (1.0 + 1.0) / bounded"}};  // a constant expression
     for (const auto& [from, to] : edits) {
@@ -129,14 +130,18 @@ TEST_F(Spirv, AnEditThatChangesTheCodeStaysDrift) {
 }
 
 TEST_F(Spirv, AnEntryPointIsComparedToo) {
-    EXPECT_EQ(after("shade.comp", "uint job = gl", "float spare = 1.0;\n    uint job = gl")["verdict"], "in_step");
+    EXPECT_EQ(
+        after("shade.comp", "uint job = gl", "float spare = 1.0;\n    spare += 1.0;\n    uint job = gl")["verdict"],
+        "in_step");
     EXPECT_EQ(after("shade.comp", "branched(0.5)", "branched(values[0])")["verdict"], "drift");
 }
 
 TEST_F(Spirv, WhatIsNotCompiledIsNotCalledTheSame) {
     // Nobody calls it: glslang leaves it out, and two modules without it prove nothing.
     EXPECT_EQ(after("math.glsl", "a * 3.0 + 1.0", "a * 3.0 - 1.0")["verdict"], "drift");
-    EXPECT_EQ(after("math.glsl", "return a * 3.0", "float unused = 1.0;\n    return a * 3.0")["verdict"], "drift");
+    EXPECT_EQ(
+        after("math.glsl", "return a * 3.0", "float unused = 1.0;\n    unused += a;\n    return a * 3.0")["verdict"],
+        "drift");
     EXPECT_EQ(after("math.glsl", "a * 5.0 + 1.0", "a * 5.0 - 1.0")["verdict"], "drift");
     EXPECT_NE(last.err.find("gpu/math.glsl:left_out keeps its level: no entry point calls it, or"), std::string::npos)
         << last.err;
@@ -153,14 +158,17 @@ TEST_F(Spirv, OverloadsAreToldApart) {
 }
 
 TEST_F(Spirv, AKernelThatDoesNotCompileKeepsItsLevelAndSaysWhy) {
-    EXPECT_EQ(after("math.glsl", "float bounded =", "float unused = no_such_name;\n float bounded =")["verdict"],
+    EXPECT_EQ(after("math.glsl",
+                    "float bounded =", "float unused = no_such_name;\n unused += value;\n float bounded =")["verdict"],
               "drift");
     EXPECT_NE(last.err.find("gpu/shade.comp does not compile: gpu/math.glsl:"), std::string::npos) << last.err;
     EXPECT_NE(last.err.find("no_such_name"), std::string::npos) << last.err;
     EXPECT_EQ(std::count(last.err.begin(), last.err.end(), '\n'), 1) << last.err;
     disk.files.erase("/r/gpu/shade.comp");
     disk.files["/r/gpu/spare.glsl"] = "int spare(int a) { return a; }\n";
-    EXPECT_EQ(after("math.glsl", "float bounded =", "float unused = 1.0;\n float bounded =")["verdict"], "drift");
+    EXPECT_EQ(
+        after("math.glsl", "float bounded =", "float unused = 1.0;\n unused += value;\n float bounded =")["verdict"],
+        "drift");
     EXPECT_NE(last.err.find("no entry point"), std::string::npos) << last.err;
 }
 
@@ -175,7 +183,9 @@ TEST_F(Spirv, EveryEntryPointAndEveryPreambleMustAgree) {
     disk.files["/r/gpu/broken.frag"] =
         "#version 450\n#extension GL_GOOGLE_include_directive : require\n"
         "#include \"math.glsl\"\nvoid main() { nonsense }\n";
-    EXPECT_EQ(after("math.glsl", "float bounded =", "float unused = 1.0;\n float bounded =")["verdict"], "drift");
+    EXPECT_EQ(
+        after("math.glsl", "float bounded =", "float unused = 1.0;\n unused += value;\n float bounded =")["verdict"],
+        "drift");
     EXPECT_NE(last.err.find("gpu/broken.frag does not compile"), std::string::npos) << last.err;
 }
 
