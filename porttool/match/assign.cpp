@@ -314,6 +314,7 @@ private:
                 if (claimed_[t] == kNobody && target_[t].group == Group::Code && scores_[s][c] > best[t].score)
                     best[t] = {scores_[s][c], s, c};
             }
+        for (const Assignment& pair : settled_) origins_[target_[pair.target].file].insert(source_[pair.source].folder);
         for (Choice& choice : best) {
             const uint32_t s = choice.source;
             const bool has_port = s != kNobody && choice_[s] != kNobody && !fixed_[s];
@@ -327,26 +328,44 @@ private:
             if (s == kNobody) continue;
             const uint32_t own = candidates_[s][choice_[s]].target;
             constexpr uint32_t kFamily = 4;
-            const bool alone = !is_known_copy(s, t, own) && forms.at(form_of(t, s)) < kFamily;
+            const bool alone =
+                !is_known_copy(s, candidates_[s][best[t].candidate]) && forms.at(form_of(t, s)) < kFamily;
             if (!alone && add_shared(s, best[t].candidate, target_[t], target_[own])) claimed_[t] = s;
         }
     }
 
     /// True if a target may be one more port of a source that has one.
     bool may_port_too(uint32_t s, const Candidate& candidate) const {
-        const UnitFeatures &unit = target_[candidate.target], &own = target_[candidates_[s][choice_[s]].target];
+        const UnitFeatures &unit = target_[candidate.target], &own = target_[own_number(s)];
         if (&unit == &own || !forms_.may_share(unit, source_[s], own, candidate)) return false;
         // Branches of an `#if` on both sides are one each.
         const bool branch = unit.file == own.file && unit.folded_name == own.folded_name;
         if (branch && source_names_.at(source_[s].folded_name) > 1) return false;
         if (branch && source_[s].whole_file_main && unit.overloaded) return false;  // overloads are no copies
-        return UnitForms::is_second_form(unit, own) ||
-               is_known_copy(s, candidate.target, candidates_[s][choice_[s]].target);
+        return UnitForms::is_second_form(unit, own) || is_known_copy(s, candidate);
     }
 
-    bool is_known_copy(uint32_t s, uint32_t t, uint32_t own) const {
-        const bool kernels = target_[t].kernel && target_[own].kernel && !source_[s].kernel;
-        return kernels || forms_.is_copy(target_[t], target_[own]);
+    /// The port that a source has.
+    uint32_t own_number(uint32_t s) const { return candidates_[s][choice_[s]].target; }
+
+    /// A second port in a file of its own: under the name of the first, and written like the source, as that is. Not
+    /// where that file ports what stands elsewhere, as the same helper of another program.
+    bool is_twin_elsewhere(uint32_t s, const Candidate& candidate) const {
+        constexpr float kAlike = 0.4f;
+        constexpr uint32_t kLeast = 20;  // what is shorter is like much
+        const UnitFeatures &source = source_[s], &unit = target_[candidate.target], &own = target_[own_number(s)];
+        if (unit.folded_leaf != own.folded_leaf || candidate.resemblance.core < 1 || unit.file == own.file)
+            return false;
+        if (std::min({source.size, unit.size, own.size}) < kLeast) return false;
+        const auto origins = origins_.find(unit.file);
+        if (origins != origins_.end() && !origins->second.contains(source.folder)) return false;
+        return plain_likeness(source, unit) >= kAlike && plain_likeness(source, own) >= kAlike;
+    }
+
+    bool is_known_copy(uint32_t s, const Candidate& candidate) const {
+        const UnitFeatures &unit = target_[candidate.target], &own = target_[own_number(s)];
+        const bool kernels = unit.kernel && own.kernel && !source_[s].kernel;
+        return kernels || forms_.is_copy(unit, own) || is_twin_elsewhere(s, candidate);
     }
 
     /// A file, and the words that a name there has more than that of the port that its source has already.
@@ -438,6 +457,7 @@ private:
     std::vector<uint32_t> choice_;                          ///< of each source, an index into its candidates
     std::vector<uint32_t> claimed_;                         ///< of each target, the source
     std::vector<std::vector<NameDifference>> differences_;  ///< of the names, as scores_
+    std::unordered_map<uint32_t, std::unordered_set<uint32_t>> origins_;  ///< by target file, folders of its sources
     std::vector<Assignment> settled_;
 };
 

@@ -102,6 +102,7 @@ public:
         std::sort(words.begin(), words.end());
         path_words_ = std::make_shared<const std::vector<uint32_t>>(std::move(words));
         stem_ = terms_.id(kPlace, fold(file_stem(file_.path)));
+        folder_ = terms_.id(kPlace, std::string(folder_of(file_.path)) + '/');  // no word has a slash
         file_number_ = number_in(file_stem(file_.path));
     }
 
@@ -193,6 +194,7 @@ private:
         std::sort(features.all_words.begin(), features.all_words.end());
         features.path_words = path_words_;
         features.stem = stem_;
+        features.folder = folder_;
         features.file_number = file_number_;
         // The place also carries the name: a class here is a file there.
         count_name_words(kPlace, shown, 1);
@@ -345,7 +347,7 @@ private:
     IdentifierTable& identifiers_;
     Counts& counts_;
     std::shared_ptr<const std::vector<uint32_t>> path_words_;
-    uint32_t stem_ = 0, file_number_ = 0;
+    uint32_t stem_ = 0, folder_ = 0, file_number_ = 0;
     std::vector<uint64_t> shape_;
     std::vector<uint32_t> callees_;
 };

@@ -42,6 +42,7 @@ struct UnitFeatures {
     uint32_t file = 0;         ///< index into the side's files
     uint32_t unit = 0;         ///< index into the file's units
     uint32_t stem = 0;         ///< the term id (of places) of the file's name without its suffixes
+    uint32_t folder = 0;       ///< the term id (of places) of the file's folder as a whole
     uint32_t file_number = 0;  ///< the number that its file's name has, as `m25600.cl` and `module_25600.c`; 0: none
     Group group = Group::Code;
     Lifecycle lifecycle = Lifecycle::Neither;

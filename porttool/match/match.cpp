@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "porttool/match/assign.h"
+#include "porttool/match/constants_in_use.h"
 #include "porttool/match/name_cores.h"
 #include "porttool/match/places.h"
 #include "porttool/match/port_folders.h"
@@ -101,12 +102,18 @@ Matching match_port(const std::vector<ScannedFile>& source, const std::vector<Sc
         source_mapped[pair.source] = target_mapped[pair.target] = true;
         target_settled[pair.target] = !settled.shares;
     }
-    for (const Assignment& pair : assign(open.source, open.target, terms, open.fixed,
-                                         find_candidates(open.source, open.target, open.fixed, kMostCandidates))) {
-        if (pair.fixed || target_settled[pair.target]) continue;
+    std::vector<UnitPair> all;
+    const auto suggest = [&](const UnitPair& pair) {
         out.pairs.push_back({id_of(source, open.source[pair.source]), id_of(target, open.target[pair.target]),
                              pair.confidence, PairState::Suggested});
+    };
+    for (const Assignment& pair : assign(open.source, open.target, terms, open.fixed,
+                                         find_candidates(open.source, open.target, open.fixed, kMostCandidates))) {
+        all.push_back({pair.source, pair.target, pair.fixed ? 1.0f : pair.confidence});
+        if (!pair.fixed && !target_settled[pair.target]) suggest(all.back());
     }
+    for (const UnitPair& pair : find_constants_in_use(source, target, open.source, open.target, all))
+        if (!source_mapped[pair.source] && !target_mapped[pair.target]) suggest(pair);
     doubt_other_places(out.pairs);
     std::unordered_set<std::string_view> mapped;
     for (const MatchedPair& pair : out.pairs) mapped.insert({pair.source, pair.target});

@@ -131,6 +131,23 @@ float contained_in(const UnitFeatures& a, const UnitFeatures& b) {
            0.5f * contained_share(a.bags[kShape], b.bags[kShape]);
 }
 
+float plain_likeness(const UnitFeatures& a, const UnitFeatures& b) {
+    size_t shared = 0, all = 0;
+    for (const Family family : {kBody, kShape}) {
+        const Bag &left = a.bags[family], &right = b.bags[family];
+        all += left.size() + right.size();
+        for (size_t i = 0, k = 0; i < left.size() && k < right.size();) {
+            if (left[i].id == right[k].id)
+                ++shared, ++i, ++k;
+            else if (left[i].id < right[k].id)
+                ++i;
+            else
+                ++k;
+        }
+    }
+    return all > 0 ? 2 * static_cast<float>(shared) / static_cast<float>(all) : 0;
+}
+
 float cosine(const Bag& a, const Bag& b) {
     float sum = 0;
     for (size_t i = 0, k = 0; i < a.size() && k < b.size();) {

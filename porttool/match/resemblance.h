@@ -33,6 +33,10 @@ inline float body_likeness(const Resemblance& resemblance) {
     return 0.5f * resemblance.families[kShape] + 0.5f * resemblance.families[kBody];
 }
 
+/// The same of both, each of their terms counting the same, however common it is: what is left of a likeness where the
+/// two stand among others that are written like them.
+float plain_likeness(const UnitFeatures& a, const UnitFeatures& b);
+
 /// The product of two weighed bags.
 float cosine(const Bag& a, const Bag& b);
 

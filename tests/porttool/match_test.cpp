@@ -563,6 +563,79 @@ TEST(Match, OneSourceIsPortedByItsCopiesAndByVariantsForInstructionSets) {
                                  {"cl/rows.cl:best_of_row", "c/right.c:best_of_row_avx2"}}));
 }
 
+/// Two ports in folders of their own, under one glob each and too few to be told apart by their folders.
+TEST(Match, ASecondPortInAnotherFolderIsWatchedAsWell) {
+    const auto rows = [](const std::string& head, const std::string& at, const std::string& out) {
+        return head + "    float s = 0.0f;\n    for (int k = 0; k < 8; ++k) s += weight(" + at + ");\n    " + out +
+               " = s * 0.125f;\n}\n";
+    };
+    const std::string kernel = rows(
+        "__kernel void mixRows(__global const float* a, __global float* o, int n)\n{\n    int i = get_global_id(0);\n"
+        "    if (i >= n) return;\n",
+        "a[i + k], a[i]", "o[i]");
+    const std::string loop =
+        rows("void mix_rows(const float* in, float* out, int n)\n{\n    for (int i = 0; i < n; ++i) {\n",
+             "in[i + k], in[i]", "out[i]");
+    const std::string main = rows(
+        "layout(local_size_x = 64) in;\nvoid main()\n{\n    int i = int(gl_GlobalInvocationID.x);\n    if (i >= pc.n) "
+        "return;\n",
+        "a[i + k], a[i]", "o[i]");
+    const std::string other = "void mix_rows(int how)\n{\n    log_mode(how);\n    select_mode(how, 3);\n}\n";
+    const std::vector<std::pair<std::string, std::string>> source = {{"ocl/mix.cl", kernel}};
+    EXPECT_EQ(
+        pairs(match(source, {{"omp/mixer.cpp", loop + "}\n"}, {"vk/mix_rows.comp", main}})),
+        (Pairs{{"ocl/mix.cl:mixRows", "omp/mixer.cpp:mix_rows"}, {"ocl/mix.cl:mixRows", "vk/mix_rows.comp:main"}}));
+    EXPECT_EQ(pairs(match(source, {{"ui/mixer.cpp", other}, {"vk/mix_rows.comp", main}})),
+              (Pairs{{"ocl/mix.cl:mixRows", "vk/mix_rows.comp:main"}}))
+        << "a namesake that does something else is no port";
+}
+
+TEST(Match, ConstantsOfOneValuePairWherePairedFunctionsUseThemInOnePlace) {
+    const auto side = [](const std::string& path, const std::string& constants, const std::string& name,
+                         const std::string& line) {
+        return std::pair<std::string, std::string>{path, constants + "void shade_row(const float* " + name +
+                                                             ", float* out, int n) {\n  for (int i = 0; i < n; "
+                                                             "++i) {\n    float v = " +
+                                                             name + "[i];\n    " + line +
+                                                             "\n    out[i] = v * 0.5f + sqrt(v);\n  }\n}\n"};
+    };
+    const auto constants_of = [](const Matching& got) {
+        Pairs out = pairs(got);
+        std::erase_if(out, [](const auto& pair) { return pair.first.ends_with(":shade_row"); });
+        return out;
+    };
+    const auto source = [&](const std::string& value, const std::string& line) {
+        return std::vector{side("a.cu", "__constant__ float gain = " + value + ";\n", "x", line)};
+    };
+    const auto target = [&](const std::string& constants, const std::string& line) {
+        return std::vector{side("b.c", constants, "in", line)};
+    };
+    const Pairs found = {{"a.cu:gain", "b.c:AMPLIFY"}};
+    EXPECT_EQ(constants_of(match(source("1.5f", "v *= gain;"), target("#define AMPLIFY 1.5f\n", "v *= AMPLIFY;"))),
+              found);
+    EXPECT_EQ(
+        constants_of(match(source("1.375f", "v *= gain;"), target("#define AMPLIFY 1.375f\n", "v = AMPLIFY * v;"))),
+        found)
+        << "a rare value says it, wherever it stands";
+    EXPECT_EQ(constants_of(match(source("2", "v *= gain;"), target("#define AMPLIFY 2\n", "v += AMPLIFY + v;"))),
+              Pairs());
+    EXPECT_EQ(constants_of(match(source("1.5f", "v *= gain;"), target("#define AMPLIFY 1.25f\n", "v *= AMPLIFY;"))),
+              Pairs())
+        << "other values";
+    EXPECT_EQ(constants_of(match(source("1.5f", "v *= gain;"),
+                                 target("#define AMPLIFY 1.5f\n#define DAMP 1.5f\n", "v *= AMPLIFY; v *= DAMP;"))),
+              Pairs())
+        << "either could be it";
+    EXPECT_EQ(constants_of(match(source("1.5f", "v *= gain;"),
+                                 target("#define AMPLIFY 1.5f\n", "v *= scale(v); use(p.AMPLIFY);"))),
+              Pairs())
+        << "a member of that name";
+    EXPECT_EQ(constants_of(match(source("1.5f", "float gain = v; v *= gain;"),
+                                 target("#define AMPLIFY 1.5f\n", "v *= AMPLIFY;"))),
+              Pairs())
+        << "a local of that name";
+}
+
 /// A project that has its functions in two forms, the second under names of its own: one word more throughout a file.
 TEST(Match, AFamilyInASecondFormIsPortedByBoth) {
     const std::vector<std::string> names = {"reverse", "rotate", "append", "purge", "mirror", "title"};
