@@ -39,6 +39,7 @@ struct Distance {
     BySide<std::map<std::string, size_t>> alone;  ///< numbers and operators that have no like in the other text
     std::set<size_t> covered;                     ///< the target's words that have their like in the source
     BySide<std::vector<size_t>> misplaced;        ///< what stands where another word should
+    std::vector<size_t> crossed;                  ///< the source's names that stand for another one elsewhere
 
     Distance(const std::vector<std::string>& source, const std::vector<std::string>& target, const Dialect& dialect) {
         WordKeys keys(dialect);
@@ -47,6 +48,7 @@ struct Distance {
         unlike = laid.unlike();
         covered = laid.covered();
         misplaced = laid.misplaced();
+        crossed = laid.crossed();
         alone = {in_common(laid.alone(), dialect), in_common(laid.alone_there(), dialect)};
     }
 };
@@ -146,6 +148,22 @@ bool brings_wrong_word(const SideEdit& edit, const std::vector<size_t>& misplace
     return std::any_of(misplaced.begin(), misplaced.end(), [&](size_t i) { return gained[i]; });
 }
 
+/// True if a statement that words came into has one, new or not, where the other side has another.
+bool rewrites_in_another_order(const SideEdit& edit, const Distance& today) {
+    const std::vector<bool> gained = places_gained(edit);
+    std::vector<bool> is_wrong(edit.now.size());
+    for (const auto* places : {&today.misplaced.source, &today.crossed})
+        for (const size_t i : *places) is_wrong[i] = edit.now[i] != "=";  // a call may write in its place
+    bool any_gained = false, any_wrong = false;
+    for (size_t i = 0; i < edit.now.size(); ++i) {
+        any_gained = any_gained || gained[i];
+        any_wrong = any_wrong || is_wrong[i];
+        if (any_gained && any_wrong) return true;
+        if (edit.now[i] == ";" || edit.now[i] == "{" || edit.now[i] == "}") any_gained = any_wrong = false;
+    }
+    return false;
+}
+
 /// Asked first, since laying texts side by side is dear: false if a number or an operator came more often than the
 /// other side has it.
 bool may_arrive(const SideEdit& edit, const SideEdit& other) {
@@ -182,25 +200,26 @@ bool are_twins(const Words& a, const Words& b, const Dialect& dialect) {
     return kTwins * Distance(here.now, there.now, dialect).unlike < words_of(here.has) + words_of(there.has);
 }
 
-bool draws_nearer(const LoneTexts& texts, const Dialect& dialect) {
-    if (texts.before.size() + texts.now.size() + texts.other.size() > kMostBeside) return false;
+Nearing draws_nearer(const LoneTexts& texts, const Dialect& dialect) {
+    if (texts.before.size() + texts.now.size() + texts.other.size() > kMostBeside) return Nearing::No;
     constexpr size_t kLeast = 4, kLeastTaken = 10;  // words of an edit, and of one that hardly brings any
     constexpr size_t kBrief = 2;                    // words that are no slip, if all that was edited has its like now
     const SideEdit edit(texts.before, texts.now, dialect);
     const bool takes = edit.gained_words < kLeast;
     const bool is_brief = takes && edit.size < kLeastTaken && edit.gained_words >= kBrief;
-    if ((edit.size < (takes ? kLeastTaken : kLeast) && !is_brief) || !edit.guarded.empty()) return false;
+    if ((edit.size < (takes ? kLeastTaken : kLeast) && !is_brief) || !edit.guarded.empty()) return Nearing::No;
     const SideEdit other(texts.other, texts.other, dialect);
-    if (!may_arrive(edit, other)) return false;
+    if (!may_arrive(edit, other)) return Nearing::No;
     const size_t astray = names_astray(edit, other);
-    if (takes && astray > 0) return false;
+    if (takes && astray > 0) return Nearing::No;
     const Distance then(edit.before, other.now, dialect), today(edit.now, other.now, dialect);
     const size_t nearer = then.unlike - std::min(then.unlike, today.unlike);
     const size_t thirds = is_brief ? 3 : astray == 0 && names_arrive(edit, other) ? 1 : 2;  // of what was edited
-    if (3 * nearer < thirds * edit.size) return false;
+    if (3 * nearer < thirds * edit.size) return Nearing::No;
     const bool keeps_what_was_alike =
         std::includes(today.covered.begin(), today.covered.end(), then.covered.begin(), then.covered.end());
-    return (keeps_what_was_alike || astray == 0) && signs_arrive(edit, other, {then, today});
+    if ((!keeps_what_was_alike && astray > 0) || !signs_arrive(edit, other, {then, today})) return Nearing::No;
+    return rewrites_in_another_order(edit, today) ? Nearing::InAnotherOrder : Nearing::Yes;
 }
 
 }  // namespace porttool

@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "porttool/compare/edits.h"
 #include "porttool/language/dialect.h"
 
 namespace porttool {
 
 /// True if edits of both sides are for the most part one, each in the words of its side: the two texts are about as
-/// much alike as before, no number, operator or name came or went on one side alone, and none that came stands where the
-/// other side has another, but for words of one side's own. Less sure than compare_edits(),
-/// which holds statement against statement.
+/// much alike as before, no number, operator or name came or went on one side alone, and none that came stands where
+/// the other side has another, but for words of one side's own. Less sure than compare_edits(), which holds statement
+/// against statement.
 ///
 ///                 source                              port
 ///     before      y[i] = x[i];                        store(y + i, load(x + i));
@@ -21,14 +23,23 @@ bool edits_in_own_words(const PairTexts& texts, const Dialect& dialect);
 /// True if less than one word in ten of two texts has no like in the other: such texts are held to every word.
 bool are_twins(const Words& a, const Words& b, const Dialect& dialect);
 
-/// True if an edit of one side alone brings it nearer to the other side's text, which has what the edit brings in and
+/// Whether an edit of one side alone says what the other side has.
+enum class Nearing : uint8_t {
+    No,
+    InAnotherOrder,  ///< its words, some of them where the other side has others: a wrong port, or another manner
+    Yes,
+};
+
+/// Yes if an edit of one side alone brings it nearer to the other side's text, which has what the edit brings in and
 /// nothing of what it takes away: a third of what was edited has its like there now and had none before, and no number
 /// or operator stands alone now that had its like before, or is new. Less sure than now_says_what_other_says(). Of two
-/// or three words all that was edited has to have its like; an edit of one is never that.
+/// or three words all that was edited has to have its like; an edit of one is never that. How often words stand there
+/// tells nothing of `clamp(x, hi, lo)` for `clamp(x, lo, hi)`: so each number, operator and name of both sides that
+/// came has to stand where the other side has its like, too.
 ///
 ///     before      y = x[i];                                                        port
 ///     now         if (lim > 0) { const float c = damp(x, lim, 0.5f); y = c; }
 ///     other       if (lim > 0) { const float d = damp(x, lim, 0.5f); y = d; }      source
-bool draws_nearer(const LoneTexts& texts, const Dialect& dialect);
+Nearing draws_nearer(const LoneTexts& texts, const Dialect& dialect);
 
 }  // namespace porttool

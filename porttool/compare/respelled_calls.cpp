@@ -26,17 +26,24 @@ std::string letters_of(std::string_view name) {
 
 constexpr size_t kLeast = 3;  // letters: `n(x)` and `N(x)` are two
 
-/// Tokens without `std ::`.
-Words without_std(const Words& tokens) {
-    Words out;
-    for (size_t i = 0; i < tokens.size(); ++i) {
-        if (tokens[i] == "std" && i + 1 < tokens.size() && tokens[i + 1] == "::")
-            ++i;
-        else
-            out.push_back(tokens[i]);
+/// Tokens without `std ::`, and which of them stood behind it.
+struct WithoutStd {
+    Words words;
+    std::vector<bool> is_of_std;
+
+    explicit WithoutStd(const Words& tokens) {
+        bool of_std = false;
+        for (size_t i = 0; i < tokens.size(); ++i) {
+            if (tokens[i] == "std" && i + 1 < tokens.size() && tokens[i + 1] == "::") {
+                of_std = true;
+                ++i;
+                continue;
+            }
+            words.push_back(tokens[i]);
+            is_of_std.push_back(std::exchange(of_std, false));
+        }
     }
-    return out;
-}
+};
 
 bool is_called(const Words& tokens, size_t i) {
     return is_word_token(tokens[i]) && i + 1 < tokens.size() && tokens[i + 1] == "(";
@@ -83,11 +90,15 @@ bool is_macro_for(std::string_view macro, std::string_view name) {
 }  // namespace
 
 std::optional<std::vector<RespelledCall>> only_respelled_calls(const Words& before, const Words& now) {
-    const Words then = without_std(before), today = without_std(now);
+    const WithoutStd with_places_then(before), with_places_today(now);
+    const Words &then = with_places_then.words, &today = with_places_today.words;
     if (then.size() != today.size()) return std::nullopt;
     std::vector<RespelledCall> out;
     for (size_t i = 0; i < then.size(); ++i) {
-        if (then[i] == today[i]) continue;
+        if (then[i] == today[i]) {
+            if (with_places_then.is_of_std[i] != with_places_today.is_of_std[i]) out.push_back({then[i], today[i]});
+            continue;
+        }
         const std::string letters = letters_of(then[i]);
         const bool is_same = letters.size() >= kLeast && letters == letters_of(today[i]);
         const bool is_macro = is_macro_for(then[i], today[i]) || is_macro_for(today[i], then[i]);
@@ -97,21 +108,42 @@ std::optional<std::vector<RespelledCall>> only_respelled_calls(const Words& befo
     return out;
 }
 
-bool only_qualifies_names(const Words& before, const Words& now) {
+std::optional<std::vector<RescopedName>> only_qualified_names(const Words& before, const Words& now) {
     const Unscoped then(before), today(now);
-    if (then.words != today.words) return false;
+    if (then.words != today.words) return std::nullopt;
     std::map<std::string_view, std::string_view> scopes;  // today's, by name
-    std::set<std::string_view> rescoped, mixed;
+    std::map<std::string_view, std::string> rescoped;     // the scope that came or went, by name
+    std::set<std::string_view> mixed;
     for (size_t i = 0; i < then.words.size(); ++i) {
-        const std::pair<std::string_view, std::string_view> both{then.scopes[i], today.scopes[i]};
-        const bool is_other_scope = both.first != both.second && !both.first.empty() && !both.second.empty();
-        if (is_other_scope && then.settled[i] != today.settled[i]) return false;
+        const std::string &was = then.scopes[i], &is = today.scopes[i];
         const std::string_view name = today.words[i];
-        if (both.first != both.second) rescoped.insert(name);
-        if (is_word_token(name) && scopes.emplace(name, both.second).first->second != both.second) mixed.insert(name);
+        if (was != is && !was.empty() && !is.empty() && then.settled[i] != today.settled[i]) return std::nullopt;
+        if (was != is) {
+            const std::string& left_out = was.empty() ? is : is.empty() ? was : std::string();
+            const auto [known, is_new] = rescoped.emplace(name, left_out);
+            if (!is_new && known->second != left_out) mixed.insert(name);
+        }
+        if (is_word_token(name) && scopes.emplace(name, is).first->second != is) mixed.insert(name);
     }
-    return !rescoped.empty() &&
-           std::none_of(rescoped.begin(), rescoped.end(), [&](std::string_view name) { return mixed.contains(name); });
+    std::vector<RescopedName> out;
+    for (auto& [name, scope] : rescoped) {
+        if (mixed.contains(name)) return std::nullopt;
+        out.push_back({name, std::move(scope)});
+    }
+    if (out.empty()) return std::nullopt;
+    return out;
+}
+
+bool is_scope_of_library(std::string_view scope) {
+    constexpr std::array<std::string_view, 4> kRoots = {"std", "sycl", "cl", "metal"};
+    for (bool is_first = true; !scope.empty(); is_first = false) {
+        const std::string_view part = scope.substr(0, scope.find("::"));
+        const bool is_root = std::find(kRoots.begin(), kRoots.end(), part) != kRoots.end();
+        if (!is_root && !is_storey_of_runtime(part)) return false;
+        if (is_first && part == "experimental") return false;
+        scope.remove_prefix(std::min(scope.size(), part.size() + 2));
+    }
+    return true;
 }
 
 bool only_respells_members(const Words& before, const Words& now) {

@@ -114,6 +114,31 @@ BySide<std::vector<size_t>> SideBySide::misplaced() const {
     return out;
 }
 
+std::vector<size_t> SideBySide::crossed() const {
+    std::map<std::string_view, std::set<std::string_view>> of_here, of_there;
+    std::set<uint32_t> common_here(a_.common.begin(), a_.common.end()),
+        common_there(b_.common.begin(), b_.common.end());
+    std::vector<size_t> unlike, out;
+    for (size_t i = 0; i < here_.size(); ++i) {
+        if (!is_word_token(here_[i])) continue;
+        if (!alike_[i] && !is_type_word(here_[i])) unlike.push_back(i);
+        const size_t k = laid_.word_of[i];
+        if (k == Alignment::kNone || !is_word_token(there_[k])) continue;
+        of_here[here_[i]].insert(there_[k]);
+        of_there[there_[k]].insert(here_[i]);
+    }
+    for (const size_t i : unlike) {
+        const size_t k = laid_.word_of[i];
+        const bool is_called = i + 1 < here_.size() && here_[i + 1] == "(";
+        bool is_known = common_there.contains(a_.common[i]);
+        if (k != Alignment::kNone && is_word_token(there_[k]))
+            is_known = is_known || common_here.contains(b_.common[k]) ||
+                       (!is_called && (of_here[here_[i]].size() > 1 || of_there[there_[k]].size() > 1));
+        if (is_known) out.push_back(i);
+    }
+    return out;
+}
+
 std::set<size_t> SideBySide::covered() const {
     std::set<size_t> out;
     for (size_t i = 0; i < here_.size(); ++i)

@@ -57,6 +57,13 @@ public:
     ///     there     launch(n, y);   y = lim;         `lim`, and `y` there
     BySide<std::vector<size_t>> misplaced() const;
 
+    /// Names without their like at their place of which the other text has another spelling elsewhere, or that stand
+    /// for two names of it; or of which that is so of the name there. The places here.
+    ///
+    ///     here      f(lo, hi); y = hi - fminf(lo);
+    ///     there     g(a, b);   y = a - max(min(b));          the two names behind `=`, those before it, and `fminf`
+    std::vector<size_t> crossed() const;
+
     /// The words of the other text that have their like here.
     std::set<size_t> covered() const;
 

@@ -106,7 +106,7 @@ bool only_rewords_texts(const Words& before, const Words& now) {
 }  // namespace
 
 PairJudge::PairJudge(const Case& facts, const BySide<RenamedNames>& renamed, FindingList& findings)
-    : facts_(facts), renamed_(renamed), findings_(findings), dialect_(dialect_of_edits(facts.map)) {
+    : facts_(facts), renamed_(renamed), findings_(findings), dialect_(dialect_of_edits(facts.map)), own_names_(facts) {
     for (const SkippedFile& file : facts.skipped) unread_.emplace(file.file, file.reason);
 }
 
@@ -312,17 +312,15 @@ void PairJudge::report_one(JudgedPair& pair, const PairComparison& found, const 
 /// True if both names of each call are most likely one function's: of a library, and as exact, or of the side itself,
 /// where it bore the name from before. A function under a new name that only looks like the old one is another.
 bool PairJudge::call_the_same(const std::vector<RespelledCall>& calls, Side side) const {
-    std::map<std::string_view, const UnitState*> own;
-    for (const auto& [id, unit] : side == Side::Source ? facts_.source : facts_.target)
-        if (unit.kind != UnitKind::File) own.emplace(bare_leaf_of(unit.name), &unit);
     const auto was_called = [&](std::string_view name, const UnitState& unit) {
         return std::any_of(facts_.lock.baseline.begin(), facts_.lock.baseline.end(), [&](const LockedUnit& line) {
             return line.prints.renamed == unit.prints.renamed && bare_leaf_of(split_id(line.id).second) == name;
         });
     };
     return std::all_of(calls.begin(), calls.end(), [&](const RespelledCall& call) {
-        if (own.contains(call.before)) return false;
-        if (const auto unit = own.find(call.now); unit != own.end()) return was_called(call.before, *unit->second);
+        const std::vector<const UnitState*>*was = own_names_.of(side, call.before), *is = own_names_.of(side, call.now);
+        if (was != nullptr) return false;
+        if (is != nullptr) return was_called(call.before, *is->front());
         const std::string before = std::string(call.before) + "()", now = std::string(call.now) + "()";
         return precision_hazards({before}, {now}).empty();
     });
@@ -336,8 +334,12 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
     if (finding.level <= Level::Note || (!is_code && !structs)) return;
     const LoneTexts texts{without_prelude(before.words()), without_prelude(now.text.words()),
                           without_prelude(there.text.words())};
-    if (only_qualifies_names(texts.before, texts.now))
-        return weaken(pair, finding, Level::Note, "it only writes names with their scope, or without it");
+    if (const auto names = only_qualified_names(texts.before, texts.now)) {
+        if (std::all_of(names->begin(), names->end(),
+                        [&](const RescopedName& name) { return own_names_.is_one_thing(name, now, side); }))
+            weaken(pair, finding, Level::Note, "it only writes names with their scope, or without it");
+        return;  // a name of something else
+    }
     if (only_respells_members(texts.before, texts.now))
         return weaken(pair, finding, Level::Note, "it only reaches members through a pointer, or no longer does");
     if (structs) {
@@ -376,9 +378,11 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
         return weaken(pair, finding, Level::Note, there_is + " has the label in that arm already");
     if (only_adds_arms_of_other(texts.before, texts.now, texts.other))
         return weaken(pair, finding, Level::Note, there_is + " has an arm for each of these labels");
-    if (draws_nearer(texts, dialect_))
-        return weaken(pair, finding, only_takes(texts.before, texts.now) ? Level::Warning : Level::Note,
-                      there_is + " has most of it");
+    if (const Nearing nearing = draws_nearer(texts, dialect_); nearing != Nearing::No) {
+        const bool in_order = nearing == Nearing::Yes;
+        return weaken(pair, finding, in_order && !only_takes(texts.before, texts.now) ? Level::Note : Level::Warning,
+                      there_is + (in_order ? " has most of it" : " has its words, some in other places"));
+    }
     if (is_off_common_ground(texts, dialect_))  // what only the port has is nobody's to follow
         weaken(pair, finding,
                is_own_matter || only_tends_runtime(texts.before, texts.now) ? Level::Note : Level::Warning,

@@ -10,6 +10,7 @@
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/judge.h"
 #include "porttool/judge/lock_index.h"
+#include "porttool/judge/own_names.h"
 #include "porttool/judge/resolve.h"
 
 namespace porttool {
@@ -53,6 +54,7 @@ private:
     FindingList& findings_;
     Dialect dialect_;
     CompareBudget budget_;
+    mutable OwnNames own_names_;                 ///< what was asked of it is kept
     std::map<std::string, std::string> unread_;  ///< files, and why
 };
 

@@ -392,6 +392,38 @@ TEST(QuietGate, ScopesOfNames) {
     EXPECT_EQ(after("std::max(y[0], y[1])", "std::max(max(y[0], 0), y[1])"), Loud{"target-changed s/k.cu:f"});
 }
 
+/// A scope is left out of the word that a port uses, or comes before it; around it stands the rest of its file.
+TEST(QuietGate, ScopesOfOtherThings) {
+    const auto after = [&](const std::string& around, const std::string& from, const std::string& to) {
+        const std::string text = around + "void f(float* y) { y[0] = " + from + "(y[1]) * 3.0f; }";
+        return loud({{"s/k.cu", "__global__ void f(float* y) { y[0] = wave(y[1]) * 3.0f; }"}, {"t/k.cpp", text}},
+                    {{"t/k.cpp", replaced(text, from + "(y[1]) * 3", to + "(y[1]) * 3")}}, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const Loud none, raised = {"target-changed s/k.cu:f"};
+    const std::string coarse = "namespace coarse { float lobe(float x) { return x * x; } }\n",
+                      own = "float lobe(float x) { return x * (3.0f - x); }\n";
+    const auto both_ways = [&](const std::string& around, const std::string& with, const std::string& without,
+                               const Loud& expected) {
+        EXPECT_EQ(after(around, with, without), expected) << around << with;
+        EXPECT_EQ(after(around, without, with), expected) << around << without << " -> " << with;
+    };
+    for (const std::string with : {"std::sqrt", "sycl::pow", "metal::sin", "cl::sycl::exp"})
+        both_ways("", with, with.substr(with.rfind(':') + 1), none);
+    for (const std::string with : {"native::sin", "half_precision::sqrt", "precise::divide", "metal::fast::exp",
+                                    "sycl::native::exp", "sycl::half_precision::exp"}) {
+        both_ways("", with, with.substr(with.rfind(':') + 1), raised);
+        both_ways("using namespace metal; using namespace native;\n", with, with.substr(with.rfind(':') + 1), raised);
+    }
+    both_ways("", "sycl::native::sin", "native::sin", none);
+    both_ways(coarse + own, "coarse::lobe", "lobe", raised);
+    both_ways(coarse, "coarse::lobe", "lobe", raised);
+    both_ways(coarse + "using namespace coarse;\n", "coarse::lobe", "lobe", none);
+    both_ways(coarse + "using coarse :: lobe;\n", "coarse::lobe", "lobe", none);
+    both_ways(coarse + own + "using namespace coarse;\n", "coarse::lobe", "lobe", raised);
+    both_ways(own, "std::lobe", "lobe", raised);
+    EXPECT_EQ(after(own, "std::lobe(std::lobe", "std::lobe(lobe"), raised) << "one of two";
+}
+
 TEST(QuietGate, FieldsOfStructsThatWereNeverOne) {
     const std::string own = "struct S { int device; Queue queue; void* room; };";
     const auto after = [&](const std::string& source, const std::string& from, const std::string& to) {

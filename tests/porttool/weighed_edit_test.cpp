@@ -399,5 +399,63 @@ TEST(WeighedEdit, NamesOfBothSidesAreLike) {
     EXPECT_FALSE(are_like("min", "max"));
 }
 
+/// A source that is rewritten in the port's manner: `part` of its text becomes what the rows say.
+struct Rewriting {
+    BySide<std::string> texts;
+    std::string part;
+    std::vector<std::string> right, wrong;
+};
+
+void expect_told_apart(const Rewriting& one) {
+    const auto rules = [&](const std::string& to) {
+        return open_rules({to, one.texts, {replaced(one.texts.source, one.part, to), one.texts.target}, {}});
+    };
+    for (const std::string& to : one.right) EXPECT_EQ(rules(to), Rules{}) << to;
+    for (const std::string& to : one.wrong) EXPECT_EQ(rules(to), Rules{"source-changed"}) << to;
+}
+
+TEST(WeighedEdit, TheOthersWordsInAnotherOrder) {
+    const std::string limits = "  if (rho < lo) rho = lo;\n  if (rho > hi) rho = hi;\n  return rho;\n",
+                      clamped = "{ return std::min(std::max(rho, lo), hi); }\n";
+    const std::vector<std::string> right = {"return fminf(fmaxf(rho, lo), hi);"},
+                                   wrong = {"return fminf(fmaxf(rho, hi), lo);", "return fminf(fmaxf(lo, rho), hi);",
+                                            "return fmaxf(fminf(rho, lo), hi);", "return fminf(fmaxf(lo, hi), rho);",
+                                            "return fminf(fmaxf(rho, lo), lo);"};
+    const std::string head = "float f(float rho, float lo, float hi) ",
+                      other_names = replaced(replaced(replaced(head + clamped, "rho, lo), hi", "value, least), most"),
+                                                      "float rho, float lo", "float value, float least"),
+                                             "float hi", "float most");
+    expect_told_apart({{"__device__ " + head + "{\n" + limits + "}\n", head + clamped}, limits, right, wrong});
+    expect_told_apart({{"__device__ " + head + "{\n" + limits + "}\n", other_names}, limits, right, wrong});
+
+    const std::string polar =
+                          "(unsigned i, unsigned n) {\n  float phi = 2.399963f * i;\n"
+                          "  float c = 1.0f - (i + 0.5f) / n;\n  float s = sqrt(1.0f - c * c);\n",
+                      parts = "  float3 r;\n  r.x = cosf(phi) * s;\n  r.y = sinf(phi) * s;\n  r.z = c;\n  return r;\n";
+    expect_told_apart({{"float3 f" + polar + parts + "}\n",
+                        "vec3 f" + polar + "  return vec3(std::cos(phi) * s, std::sin(phi) * s, c);\n}\n"},
+                       parts,
+                       {"return make_float3(cosf(phi) * s, sinf(phi) * s, c);"},
+                       {"return make_float3(c, sinf(phi) * s, cosf(phi) * s);",
+                        "return make_float3(sinf(phi) * s, cosf(phi) * s, c);",
+                        "return make_float3(cosf(phi) * s, cosf(phi) * s, c);",
+                        "return make_float3(cosf(phi) * c, sinf(phi) * c, s);",
+                        "return make_float3(cosf(s) * phi, sinf(phi) * s, c);",
+                        "return make_float3(cosf(phi) * s, sinf(phi) * s, s);"}});
+
+    const std::string taps =
+                          "float f(const float2* uv, float4 k, int n) {\n  float acc = 0.0f;\n"
+                          "  for (int tap = 0; tap < n; tap++) {\n    float2 p = uv[tap];\n",
+                      sums = "    acc = acc + k.x;\n    acc = acc + p.y;\n",
+                      weighed = "    const float d = (p.x - k.x) / k.w;\n    if (d < p.y) acc += d * k.y;\n",
+                      end = "  }\n  return acc;\n}\n";
+    Rewriting sum{{taps + sums + end, taps + weighed + end}, sums, {weighed}, {}};
+    const std::vector<std::pair<std::string, std::string>> slips = {
+        {"p.x - k.x", "k.x - p.x"}, {"/ k.w", "/ k.y"},       {"d < p.y", "p.y < d"},     {"p.x - k.x", "p.y - k.x"},
+        {"d < p.y", "d < p.x"},     {"d * k.y", "p.y * k.y"}, {"acc += d", "acc += tap"}, {"d < p.y", "d < k.y"}};
+    for (const auto& [from, to] : slips) sum.wrong.push_back(replaced(weighed, from, to));
+    expect_told_apart(sum);
+}
+
 }  // namespace
 }  // namespace porttool::testing::weighed_edit_test

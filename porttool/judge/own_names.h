@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "porttool/compare/respelled_calls.h"
+#include "porttool/judge/judge.h"
+
+namespace porttool {
+
+/// The units of both sides by the last part of their names, and what a name means where it stands without its scope.
+class OwnNames {
+public:
+    explicit OwnNames(const Case& facts) : facts_(facts) {}
+
+    /// The units of a side that bear a name, or nullptr for none.
+    const std::vector<const UnitState*>* of(Side side, std::string_view name);
+
+    /// True if a name surely is one thing with its scope and without, as `unit` says it: the scope is that of a library
+    /// (`std::`), of the unit itself or of a `using` of its file, and nothing else of that side is called so there.
+    ///
+    ///     std :: sqrt            sqrt             one function
+    ///     std :: sqrt            sqrt             two, where the side has a `sqrt` of its own
+    ///     coarse :: lobe         lobe             two; one where the file says `using namespace coarse`
+    ///     native :: sin          sin              two, of which one is less exact
+    bool is_one_thing(const RescopedName& name, const UnitState& unit, Side side);
+
+private:
+    using ByName = std::unordered_map<std::string_view, std::vector<const UnitState*>>;
+
+    bool is_seen_without(std::string_view scope, std::string_view name, const UnitState& unit, Side side) const;
+
+    const Case& facts_;
+    BySide<std::optional<ByName>> by_name_;  ///< filled when first asked
+};
+
+}  // namespace porttool
