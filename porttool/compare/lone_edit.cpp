@@ -229,11 +229,11 @@ bool only_moves_declarations(const StatementEdit& edit) {
     return before.statements == now.statements && before.declarations == now.declarations;
 }
 
-/// `typedef struct @ {` and `class @ {` as `@ struct {`: another manner to name the same fields.
+/// `struct @ final {`, `typedef struct @ {` and `class @ {` as `@ struct {`: another manner to name the same fields.
 Words with_plain_struct_head(const Words& tokens) {
     const auto open = std::find(tokens.begin(), tokens.end(), "{");
     const bool is_plain = open != tokens.end() && std::all_of(tokens.begin(), open, [](std::string_view word) {
-                              return is_one_of(word, {"typedef", "struct", "class", "@"});
+                              return is_one_of(word, {"typedef", "struct", "class", "final", "@"});
                           });
     if (!is_plain) return tokens;
     Words out = {"@", "struct"};

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "porttool/compare/casts.h"
+#include "porttool/compare/phrases.h"
 #include "porttool/language/spelling.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_form.h"

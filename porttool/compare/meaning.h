@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "porttool/compare/phrases.h"
 #include "porttool/compare/runtime_calls.h"
+#include "porttool/compare/vector_parts.h"
 #include "porttool/language/dialect.h"
 #include "porttool/language/language.h"
 #include "porttool/normal/normal_text.h"

@@ -244,31 +244,6 @@ void add_launch(Text& out, std::vector<Text> arguments) {
     out.emplace_back(")");
 }
 
-/// Every swizzle of colours or texture coordinates with the one of positions; made once.
-const std::map<std::string, std::string, std::less<>>& plain_swizzles() {
-    static const auto table = [] {
-        std::map<std::string, std::string, std::less<>> out;
-        constexpr std::string_view kPlain = "xyzw";
-        for (const std::string_view names : {"rgba", "stpq"}) {
-            std::vector<std::pair<std::string, std::string>> last = {{"", ""}};
-            for (size_t length = 1; length <= 4; ++length) {
-                std::vector<std::pair<std::string, std::string>> next;
-                for (const auto& [from, to] : last)
-                    for (size_t i = 0; i < names.size(); ++i) next.emplace_back(from + names[i], to + kPlain[i]);
-                out.insert(next.begin(), next.end());
-                last = std::move(next);
-            }
-        }
-        return out;
-    }();
-    return table;
-}
-
-bool is_vector_type(std::string_view type) {
-    const bool sized = type.size() > 1 && type.back() >= '2' && type.back() <= '4';
-    return sized && is_type_word(type) && (type.size() < 3 || type[type.size() - 2] != 'x') && !type.starts_with("mat");
-}
-
 /// True where a parenthesis before `at` opens the arguments of a call, or follows a cast.
 bool ends_operand(const Text& words, size_t at) {
     if (at == 0) return false;
@@ -465,21 +440,6 @@ void drop_cast_to_declared_type(Text& words) {
     }
     words.pop_back();
     words.erase(words.begin() + 3, words.begin() + 5);
-}
-
-void note_vectors(const Words& text, VectorNames& names) {
-    for (size_t i = 0; i + 2 < text.size(); ++i)
-        if (is_word_token(text[i + 1]) && is_one_of(text[i + 2], {",", ")", ";", "="}) && is_vector_type(text[i]))
-            names.insert(text[i + 1]);
-}
-
-void write_plain_components(Words& statement, const VectorNames& names) {
-    for (size_t i = 1; i + 1 < statement.size() && !names.empty(); ++i) {
-        const bool of_member = i > 1 && is_one_of(statement[i - 2], {".", "->", "::"});
-        if (statement[i] != "." || of_member || !names.contains(statement[i - 1])) continue;
-        const auto found = plain_swizzles().find(statement[i + 1]);
-        if (found != plain_swizzles().end()) statement[i + 1] = found->second;
-    }
 }
 
 }  // namespace porttool

@@ -4,8 +4,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
-#include <unordered_set>
 #include <vector>
 
 #include "porttool/language/dialect.h"
@@ -46,12 +44,5 @@ void write_plain_barrier(std::vector<std::string>& words);
 
 /// `int i = int ( x )`: the value is converted to the variable's type in any case, so the cast goes.
 void drop_cast_to_declared_type(std::vector<std::string>& words);
-
-/// The names that a text declares as vectors: `vec3 v`.
-using VectorNames = std::unordered_set<std::string_view>;
-void note_vectors(const Words& text, VectorNames& names);
-
-/// Writes the components of colours and texture coordinates of these as those of positions: `v . rg` is `v . xy`.
-void write_plain_components(Words& statement, const VectorNames& names);
 
 }  // namespace porttool

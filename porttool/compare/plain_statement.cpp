@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "porttool/compare/casts.h"
+#include "porttool/compare/phrases.h"
 #include "porttool/language/spelling.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
@@ -100,6 +101,44 @@ void open_whole_value(Text& words) {
     words.erase(words.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
+/// A head with the words that say what kind of function it is, and its bounds of a launch, in one order: before its
+/// type they may stand in any.
+///
+///     __launch_bounds__ ( 128 ) __global__ void f (        __global__ __launch_bounds__ ( 128 ) void f (
+///     [ [ kernel ] ] void f (                              kernel void f (
+void write_manner_first(Text& head, Language language) {
+    const bool is_attribute = head.size() > 5 && head[0] == "[" && head[1] == "[" && head[3] == "]" && head[4] == "]";
+    if (language == Language::Metal && is_attribute && is_one_of(head[2], {"kernel", "vertex", "fragment"})) {
+        head.erase(head.begin() + 3, head.begin() + 5);
+        head.erase(head.begin(), head.begin() + 2);
+    }
+    const auto name = std::find(head.begin(), head.end(), "@");
+    const auto bounds = std::find(head.begin(), name, "__launch_bounds__");
+    if (bounds == name || bounds + 1 == name || *(bounds + 1) != "(") return;
+    const auto first = static_cast<size_t>(bounds - head.begin());
+    const size_t end = after_bracket(head, first + 1, head.size());
+    if (end >= static_cast<size_t>(name - head.begin()) + 1) return;
+    std::rotate(head.begin(), bounds, head.begin() + static_cast<std::ptrdiff_t>(end));
+}
+
+/// `layout ( local_size_x = 8 , local_size_y = 1 ) in` without the sizes that are 1, as those are that are not given.
+void drop_default_sizes(Text& words) {
+    if (words.size() < 8 || words[0] != "layout" || words[1] != "(" || words.back() != "in") return;
+    for (size_t i = 2; i + 3 < words.size();) {
+        const bool is_default = words[i].starts_with("local_size_") && !words[i].ends_with("_id") &&
+                                words[i + 1] == "=" && words[i + 2] == "1";
+        const bool has_next = is_default && words[i + 3] == ",";
+        const bool has_last = is_default && i > 2 && words[i - 1] == "," && words[i + 3] == ")";
+        if (!has_next && !has_last) {
+            ++i;
+            continue;
+        }
+        const auto first = words.begin() + static_cast<std::ptrdiff_t>(has_next ? i : i - 1);
+        words.erase(first, first + 4);
+        if (has_last) return;
+    }
+}
+
 }  // namespace
 
 /// After what stands at `i` and changes no value, or `i`.
@@ -128,7 +167,10 @@ size_t PlainStatements::after_idle(const Words& words, size_t i, bool in_head) c
     if (word == "noexcept" && at(words, i + 1) == "(" && at(words, i + 2) != "false")
         return after_attribute(words, i + 1);
     if (word_is(word, kHeadPromise) || (names_inlining(word) && at(words, i + 1) != "(")) return i + 1;
-    const bool starts_parameter = i > 0 && is_one_of(words[i - 1], {"(", ","}) && is_word_token(at(words, i + 1));
+    if (language_ == Language::Ispc && word == "noinline") return i + 1;
+    const size_t first = i > 0 && words[i - 1] == "const" ? i - 1 : i;
+    const bool starts_parameter =
+        first > 0 && is_one_of(words[first - 1], {"(", ","}) && is_word_token(at(words, i + 1));
     const bool in_is_default = traits_of(language_).literals == Literals::Shading;
     return word == "in" && starts_parameter && in_is_default ? i + 1 : i;
 }
@@ -153,13 +195,15 @@ std::vector<std::string> PlainStatements::translate(const Words& statement, bool
         if (end == i) words.push_back(statement[i++]);
         i = std::max(i, end);
     }
-    write_plain_components(words, vectors_);
     Text out;
     for (const std::string_view word : with_one_word_types(words)) out.push_back(spelled(word));
+    vectors_.write_plain(out);
     if (!is_code_) return out;
     if (in_head && out.size() > 3 && out[out.size() - 1] == ")" && out[out.size() - 2] == "void" &&
         out[out.size() - 3] == "(")
         out.erase(out.end() - 2);  // f(void)
+    if (in_head) write_manner_first(out, language_);
+    if (language_ == Language::Glsl) drop_default_sizes(out);
     out = with_plain_launches(with_functional_casts(with_c_casts(out, dialect_), dialect_));
     out = with_plain_global_ids(out, dialect_);
     open_whole_value(out);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "porttool/compare/phrases.h"
+#include "porttool/compare/vector_parts.h"
 #include "porttool/language/dialect.h"
 #include "porttool/language/language.h"
 #include "porttool/normal/normal_text.h"
@@ -24,10 +24,13 @@ namespace porttool {
 class PlainStatements {
 public:
     PlainStatements(UnitKind kind, Language language, const Dialect& dialect)
-        : is_code_(kind == UnitKind::Function || kind == UnitKind::Kernel), language_(language), dialect_(dialect) {}
+        : is_code_(kind == UnitKind::Function || kind == UnitKind::Kernel),
+          language_(language),
+          dialect_(dialect),
+          vectors_(language) {}
 
-    /// What a text declares as vectors has components under several names.
-    void note_vectors_of(const Words& text) { note_vectors(text, vectors_); }
+    /// What a text declares as vectors has components under several names. The text must outlive this.
+    void note_vectors_of(const Words& text) { vectors_.note(text); }
 
     /// `in_body`: not the function's head.
     std::vector<std::string> translate(const Words& statement, bool in_body) const;
@@ -39,7 +42,7 @@ private:
     bool is_code_;
     Language language_;
     const Dialect& dialect_;
-    VectorNames vectors_;
+    VectorSpelling vectors_;
 };
 
 }  // namespace porttool

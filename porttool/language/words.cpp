@@ -91,7 +91,7 @@ constexpr std::array kRows = {
     WordRow{"maybe_unused", kDropped | kIdleAttribute},
     WordRow{"always_inline noinline gnu_inline unused used nothrow leaf visibility cold hot deprecated stdcall "
             "cdecl fastcall vectorcall dllexport dllimport warn_unused_result fallthrough likely unlikely flatten "
-            "opencl_unroll_hint unroll dont_unroll loop branch",
+            "opencl_unroll_hint vec_type_hint unroll dont_unroll loop branch",
             kIdleAttribute},
     WordRow{"__stdcall __cdecl __fastcall __vectorcall", kHeadPromise},
 

@@ -668,5 +668,173 @@ float f(float a, float b, int n) {
     EXPECT_EQ(rules_after({".cl", body, "a > b ? a : b", "a > b ? b : a"}, ""), found);
 }
 
+struct RowsOfEdits {
+    std::string suffix, text;
+    std::vector<std::pair<std::string, std::string>> same, other;
+};
+
+const std::vector<RowsOfEdits> kVectorEdits = {
+    {".cl",
+     R"(
+typedef struct { float s0, s1, r, x; } Item;
+float f(const float4 c, Item m, __global float4* o, int n) {
+    float4 s = (float4)(0.0f), u = (float4)(1.0f, 2.0f, 3.0f, -0.0f);
+    s.w = 1.0f; s.xyz = c.xyw; u.x = m.s0 + m.r;
+    o[n] = s * u;
+    return 0.2f * c.x + read_imagef(a, b).x;
+}
+)",
+     {{"c.x +", "c.s0 +"},
+      {"s.w = 1", "s.s3 = 1"},
+      {"s.w = 1", "s.S3 = 1"},
+      {"c.xyw", "c.s013"},
+      {"s.xyz", "s.rgb"},
+      {"b).x", "b).s0"},
+      {"(0.0f)", "(0.0f, 0.0f, 0.0f, 0.0f)"},
+      {"(0.0f)", "(0)"},
+      {"(1.0f, 2.0f, 3.0f", "(1, 2.0f, 3"}},
+     {{"c.x +", "c.s1 +"},
+      {"c.x +", "c.y +"},
+      {"c.xyw", "c.s031"},
+      {"c.xyw", "c.yxw"},
+      {"s.w = 1", "s.s2 = 1"},
+      {"m.s0 +", "m.x +"},
+      {"m.r;", "m.x;"},
+      {"(0.0f)", "(0.0f, 0.0f, 0.0f, 1.0f)"},
+      {"(0.0f)", "(0.5f)"},
+      {"-0.0f", "-0"},
+      {"-0.0f", "0.0f"},
+      {"1.0f, 2.0f", "2.0f, 1.0f"}}},
+    {".glsl",
+     R"(
+struct Item { float r; float x; };
+void f(vec3 p, Item m, ivec2 at) {
+    vec3 n = imageLoad(image, at).xyz * 2.0;
+    vec3 u, v = p;
+    ivec2 z = ivec2(0);
+    float a = imageLoad(image, at).r + load(at).r + m.r, t[2];
+    t[0] = p.x; t[1] = p.y; u.z = a;
+    write(z, vec4(n, 1.0), mat3(1.0), vec3(a), uvec2(1u, 1u));
+}
+)",
+     {{").xyz", ").rgb"},
+      {"at).r + load", "at).x + load"},
+      {"at).r + load", "at)[0] + load"},
+      {"ivec2(0)", "ivec2(0, 0)"},
+      {"p.y", "p[1]"},
+      {"p.y", "p.t"},
+      {"u.z", "u.b"},
+      {"vec4(n, 1.0)", "vec4(n, 1)"},
+      {"vec3(a)", "vec3(a, a, a)"},
+      {"uvec2(1u, 1u)", "uvec2(1)"}},
+     {{").xyz", ").rbg"},
+      {").xyz", ").zyx"},
+      {"at).r + load", "at).y + load"},
+      {"load(at).r", "load(at).x"},
+      {"+ m.r", "+ m.x"},
+      {"ivec2(0)", "ivec2(0, 1)"},
+      {"ivec2(0)", "ivec2(1)"},
+      {"p.y", "p[2]"},
+      {"t[1] =", "t[0] ="},
+      {"vec4(n, 1.0)", "vec4(n, 0.0)"},
+      {"vec4(n, 1.0)", "vec4(n, 1.5)"},
+      {"mat3(1.0)", "mat3(1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0)"},
+      {"vec3(a)", "vec3(a, a, 0.0)"},
+      {"vec3(a)", "vec3(next(), next(), next())"}}},
+    {".metal",
+     R"(
+kernel void f(device float4* o [[buffer(0)]], uint i [[thread_position_in_grid]]) {
+    float4 s = float4(0);
+    s.rgb = o[i].xyz;
+    o[i] = s * float4(0.5) + half4(2049);
+}
+)",
+     {{"float4(0)", "float4(0.0)"},
+      {"float4(0)", "float4(0, 0, 0, 0)"},
+      {"s.rgb", "s.xyz"},
+      {"float4(0.5)", "float4(0.5, 0.5, 0.5, 0.5)"},
+      {"kernel void f", "[[kernel]] void f"}},
+     {{"float4(0)", "float4(0, 0, 0, 1)"},
+      {"float4(0)", "float4(1)"},
+      {"float4(0.5)", "float4(0)"},
+      {"s.rgb", "s.xzy"},
+      {"o[i].xyz", "o[i].xzy"},
+      {"half4(2049)", "half4(2050)"},
+      {"kernel void f", "[[vertex]] void f"}}},
+    {".cpp",
+     R"(
+#include <sycl/sycl.hpp>
+struct Item { float w() const; float operator[](int i) const; };
+float f(sycl::float4 v, const sycl::vec<float, 4>& u, Item m) {
+    return v.w() + u[0] + m.w() + dot(sycl::float4(0.0f), v) + length(float4(0));
+}
+)",
+     {{"v.w()", "v[3]"}, {"u[0]", "u.x()"}, {"sycl::float4(0.0f)", "sycl::float4(0.0f, 0.0f, 0.0f, 0.0f)"}},
+     {{"v.w()", "v[2]"},
+      {"v.w()", "v.z()"},
+      {"u[0]", "u.y()"},
+      {"m.w()", "m[3]"},
+      {"(float4(0))", "(float4(0, 0, 0, 0))"},
+      {"sycl::float4(0.0f)", "sycl::float4(0.0f, 0.0f, 0.0f, 1.0f)"}}},
+    // A name that is a vector in one block and something else in another is nothing in particular.
+    {".glsl",
+     "struct Item { float r; float x; };\n"
+     "float f(int n) {\n    { vec3 a = load(n); use(a.x); }\n    Item a = item(n);\n    return a.r;\n}\n",
+     {},
+     {{"return a.r", "return a.x"}}},
+    {".cpp",
+     "float f(int n) {\n    float4 a = float4(0);\n    return a.x + float4(n)[1];\n}\n",
+     {},
+     {{"float4(0)", "float4(0, 0, 0, 0)"}, {"float4(0)", "float4(0.0f)"}}},
+};
+
+const std::vector<RowsOfEdits> kHeadEdits = {
+    {".glsl",
+     "void f(in vec3 p, inout float y, out float z) {\n    y = p.x; z = y;\n}\n",
+     {{"in vec3 p", "const in vec3 p"}, {"in vec3 p", "const vec3 p"}},
+     {{"in vec3 p", "inout vec3 p"}, {"in vec3 p", "out vec3 p"}}},
+    {".comp",
+     "layout(local_size_x = 8, local_size_y = 4) in;\nvoid main() {\n    total += gl_LocalInvocationIndex;\n}\n",
+     {{"local_size_y = 4", "local_size_y = 4, local_size_z = 1"},
+      {"local_size_x = 8", "local_size_z = 1, local_size_x = 8"}},
+     {{"local_size_y = 4", "local_size_y = 4, local_size_z = 2"},
+      {", local_size_y = 4", ""},
+      {", local_size_y = 4", ", local_size_y = 1"},
+      {"local_size_x = 8", "local_size_x = 1"}}},
+    {".cu",
+     "__global__ void __launch_bounds__(128, 4) f(float* a) { a[threadIdx.x] = 1.0f; }\n",
+     {{"__global__ void __launch_bounds__(128, 4)", "__global__ __launch_bounds__(128, 4) void"},
+      {"__global__ void __launch_bounds__(128, 4)", "__launch_bounds__(128, 4) __global__ void"}},
+     {{"__global__ void __launch_bounds__(128, 4)", "__launch_bounds__(128, 2) __global__ void"},
+      {"__global__ void __launch_bounds__(128, 4)", "__global__ void"}}},
+    {".cl",
+     "__kernel void f(__global float4* a) { a[get_global_id(0)] = a[0] * 2.0f; }\n",
+     {{"__kernel void", "__kernel __attribute__((vec_type_hint(float4))) void"}},
+     {{"__kernel void", "__kernel __attribute__((reqd_work_group_size(64, 1, 1))) void"}}},
+    {".ispc",
+     "inline float f(float x, uniform float y) {\n    return x * y;\n}\n",
+     {{"inline float f", "noinline float f"}},
+     {{"inline float f", "unmasked float f"}}},
+    {".cuh",
+     "struct f { float x; int n; };\n",
+     {{"struct f {", "struct f final {"}},
+     {{"struct f {", "struct __align__(16) f {"}, {"float x; int n;", "int n; float x;"}}},
+};
+
+TEST(LoneEdit, PartsOfVectorsAndHeadsAreSpelledInManyWays) {
+    for (const std::vector<RowsOfEdits>& all : {kVectorEdits, kHeadEdits})
+        for (const auto& [suffix, text, same, other] : all) {
+            for (const auto& [from, to] : same) {
+                const LabelledEdit there{suffix, text, from, to}, back{suffix, replaced(text, from, to), to, from};
+                EXPECT_EQ(rules_after(there, ""), std::vector<std::string>{}) << shown(there);
+                EXPECT_EQ(rules_after(back, ""), std::vector<std::string>{}) << shown(back);
+            }
+            for (const auto& [from, to] : other) {
+                const LabelledEdit there{suffix, text, from, to};
+                EXPECT_EQ(rules_after(there, ""), std::vector<std::string>{"source-changed"}) << shown(there);
+            }
+        }
+}
+
 }  // namespace
 }  // namespace porttool::testing::lone_edit_test
