@@ -294,6 +294,10 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
         if (const Words renamed = with_old_names(before, now, dialect); renamed != now) {
             StatementEdit named = statement_edit(old_text, bare(renamed), translator);
             out.means_nothing = named.lost.empty() && named.gained.empty();
+            if (named.now.size() == edit.now.size() && named.gained.size() < edit.gained.size()) {
+                edit.lost = std::move(named.lost);  // what is left beside the renaming, in the names of today
+                edit.gained = std::move(named.gained);
+            }
         }
     if (!out.means_nothing && is_code) out.means_nothing = with_sorted_cases(old_text) == with_sorted_cases(bare(now));
     if (!out.means_nothing && is_code && !names_count)

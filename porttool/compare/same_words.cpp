@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "porttool/normal/diff.h"
+#include "porttool/scan/side.h"
 
 namespace porttool {
 namespace {
@@ -258,25 +259,87 @@ std::vector<size_t> unmatched(const std::vector<Statement>& here, const std::vec
     return out;
 }
 
+/// The statements that an edit lost and gained.
+struct LostAndGained {
+    std::vector<size_t> lost, gained;
+};
+
+/// A statement that took the place of another, and what that did to its words.
+struct ReplacedStatement {
+    size_t lost = 0, gained = 0;
+    std::vector<Hunk> words;
+
+    bool same_edit(const ReplacedStatement& other) const {
+        return std::equal(words.begin(), words.end(), other.words.begin(), other.words.end(),
+                          [](const Hunk& a, const Hunk& b) { return a.same_edit(b); });
+    }
+};
+
+/// The statements of an edit that were replaced one by one, where as many came as went.
+std::vector<ReplacedStatement> replaced_statements(const StatementEdit& edit) {
+    constexpr size_t kMost = 200;
+    std::vector<ReplacedStatement> out;
+    if (edit.lost.size() > kMost || edit.gained.size() > kMost) return out;
+    const std::vector<size_t> kept = edit.kept();
+    size_t lost = 0, gained = 0;
+    const auto take_until = [&](size_t before, size_t now) {
+        std::vector<size_t> went, came;
+        for (; lost < edit.lost.size() && edit.lost[lost] < before; ++lost) went.push_back(edit.lost[lost]);
+        for (; gained < edit.gained.size() && edit.gained[gained] < now; ++gained) came.push_back(edit.gained[gained]);
+        for (size_t k = 0; k < went.size() && went.size() == came.size(); ++k)
+            out.push_back({went[k], came[k], hunks(edit.before[went[k]].common, edit.now[came[k]].common)});
+    };
+    for (size_t i = 0; i < kept.size(); ++i)
+        if (kept[i] != StatementEdit::kGone) take_until(i, kept[i]);
+    take_until(edit.before.size(), edit.now.size());
+    return out;
+}
+
+/// What the edits lost and gained, without the statements that both edited alike: `x - 1` in other words of each side
+/// that became `x - 1.5`. Where the same was done to more statements of one side, it is not known which was left out.
+BySide<LostAndGained> left_by_edits(const StatementEdit& source, const StatementEdit& target) {
+    const BySide<std::vector<ReplacedStatement>> all{replaced_statements(source), replaced_statements(target)};
+    BySide<std::unordered_set<size_t>> lost, gained;
+    for (const ReplacedStatement& one : all.source) {
+        BySide<std::vector<const ReplacedStatement*>> alike;
+        for (const Side side : kBothSides)
+            for (const ReplacedStatement& each : all[side])
+                if (one.same_edit(each)) alike[side].push_back(&each);
+        if (one.words.empty() || alike.source.size() != alike.target.size()) continue;
+        for (const Side side : kBothSides)
+            for (const ReplacedStatement* each : alike[side]) {
+                lost[side].insert(each->lost);
+                gained[side].insert(each->gained);
+            }
+    }
+    BySide<LostAndGained> out{{source.lost, source.gained}, {target.lost, target.gained}};
+    for (const Side side : kBothSides) {
+        std::erase_if(out[side].lost, [&](size_t i) { return lost[side].contains(i); });
+        std::erase_if(out[side].gained, [&](size_t i) { return gained[side].contains(i); });
+    }
+    return out;
+}
+
 /// What is left once the two edits are laid side by side: the two statements that came on both sides and are most
 /// alike without being the same. "" if none are.
-std::string closest_difference(const StatementEdit& source, const StatementEdit& target) {
+std::string closest_difference(const StatementEdit& source, const StatementEdit& target,
+                               const BySide<LostAndGained>& left) {
     constexpr size_t kMost = 64, kMostCells = 20'000'000;
     constexpr double kAlike = 0.5;
-    const auto here = unmatched(source.now, source.gained, chosen_keys(target.now, target.gained));
-    const auto there = unmatched(target.now, target.gained, chosen_keys(source.now, source.gained));
+    const auto here = unmatched(source.now, left.source.gained, chosen_keys(target.now, left.target.gained));
+    const auto there = unmatched(target.now, left.target.gained, chosen_keys(source.now, left.source.gained));
     WordNumbers numbers;
     double best = kAlike;
     size_t cells = 0;
     std::string out;
     for (size_t a = 0; a < std::min(here.size(), kMost); ++a)
         for (size_t b = 0; b < std::min(there.size(), kMost); ++b) {
-            const Statement &left = source.now[here[a]], &right = target.now[there[b]];
-            if ((cells += left.common.size() * right.common.size()) > kMostCells) return out;
-            const double found = likeness(numbers.of(left), numbers.of(right));
+            const Statement &of_source = source.now[here[a]], &of_target = target.now[there[b]];
+            if ((cells += of_source.common.size() * of_target.common.size()) > kMostCells) return out;
+            const double found = likeness(numbers.of(of_source), numbers.of(of_target));
             if (found <= best) continue;
             best = found;
-            out = "the source has " + quoted(left) + " where the port has " + quoted(right);
+            out = "the source has " + quoted(of_source) + " where the port has " + quoted(of_target);
         }
     return out;
 }
@@ -297,17 +360,22 @@ bool same_replacements(const StatementEdit& source, const StatementEdit& target)
 }
 
 std::vector<std::string> missing_statements(const StatementEdit& source, const StatementEdit& target) {
-    std::vector<std::string> out;
-    if (std::string closest = closest_difference(source, target); !closest.empty()) out.push_back(std::move(closest));
-    const auto source_gained = chosen_keys(source.now, source.gained),
-               target_gained = chosen_keys(target.now, target.gained);
-    const auto source_lost = chosen_keys(source.before, source.lost),
-               target_lost = chosen_keys(target.before, target.lost);
-    name_missing(source.now, source.gained, target_gained, source_lost, true, "gained", out);
-    name_missing(source.before, source.lost, target_lost, source_gained, true, "lost", out);
-    name_missing(target.now, target.gained, source_gained, target_lost, false, "gained", out);
-    name_missing(target.before, target.lost, source_lost, target_gained, false, "lost", out);
-    return out;
+    const auto said_of = [&](const BySide<LostAndGained>& left) {
+        std::vector<std::string> out;
+        if (std::string closest = closest_difference(source, target, left); !closest.empty())
+            out.push_back(std::move(closest));
+        const auto source_gained = chosen_keys(source.now, left.source.gained),
+                   target_gained = chosen_keys(target.now, left.target.gained);
+        const auto source_lost = chosen_keys(source.before, left.source.lost),
+                   target_lost = chosen_keys(target.before, left.target.lost);
+        name_missing(source.now, left.source.gained, target_gained, source_lost, true, "gained", out);
+        name_missing(source.before, left.source.lost, target_lost, source_gained, true, "lost", out);
+        name_missing(target.now, left.target.gained, source_gained, target_lost, false, "gained", out);
+        name_missing(target.before, left.target.lost, source_lost, target_gained, false, "lost", out);
+        return out;
+    };
+    std::vector<std::string> out = said_of(left_by_edits(source, target));
+    return out.empty() ? said_of({{source.lost, source.gained}, {target.lost, target.gained}}) : out;
 }
 
 }  // namespace porttool

@@ -642,6 +642,30 @@ TEST(TwoSidedEdit, TheHeadlineIsWhatIsLeftAfterAlignment) {
     EXPECT_NE(first(differs).find("the source has `return a * 2f + b` where the port has `return a * 2f - b`"),
               std::string::npos)
         << first(differs);
+    // What was ported alike, in words of each side, is no difference that is left; a local's new name is none.
+    const std::string source = "float f(float4 p, float s) { float d = length(p.xyz) - 1.0f; return d * s + 0.1f; }",
+                      port =
+                          "float f(P p, float s) { float dist = p.xyz().length() - 1.0f; return add(dist, s, 0.1f); }";
+    const auto left = report_on({"",
+                                 "k.cu",
+                                 "k.cpp",
+                                 {source, port},
+                                 {"float f(float4 p, float s) { float d = length(p.xyz) - 1.5f; return d * s + 0.2f; }",
+                                  replaced(port, "1.0f", "1.5f")},
+                                 {}});
+    ASSERT_EQ(rules_of(left), Names{"port-differs"});
+    EXPECT_NE(first(left).find("the source gained `return d * s + 0.2f`; the port did not"), std::string::npos)
+        << first(left);
+    EXPECT_EQ(first(left).find("1.5f"), std::string::npos) << first(left);
+    const auto renamed =
+        report_on({"",
+                   "k.cu",
+                   "k.cpp",
+                   {source, port},
+                   {"float f(float4 p, float s) { float e = length(p.xyz) - 1.0f; return e * s + 0.2f; }", port},
+                   {}});
+    ASSERT_EQ(rules_of(renamed), Names{"source-changed"});
+    EXPECT_NE(first(renamed).find("- return d * s + 0.1f"), std::string::npos) << first(renamed);
 }
 
 TEST(TwoSidedEdit, APortThatMovedAndWasEditedIsNotGone) {
