@@ -188,6 +188,8 @@ void Meaning::note_names(const Words& tokens, Side side) {
 /// A scope that the port calls otherwise throughout is the same scope.
 void Meaning::note_scopes(const Words& source, const Words& target) {
     const auto here = scopes_in(source, dialect_), there = scopes_in(target, dialect_);
+    for (const auto& [name, scopes] : here) old_scopes_.source.insert(scopes.begin(), scopes.end());
+    for (const auto& [name, scopes] : there) old_scopes_.target.insert(scopes.begin(), scopes.end());
     std::set<std::string_view> ambiguous;
     for (const auto& [name, scopes] : there) {
         const auto found = here.find(name);
@@ -262,7 +264,9 @@ std::string Meaning::word(std::string_view token, Side side) const {
 
 std::string Meaning::scoped(std::string_view scope, std::string_view name, Side side) const {
     const auto here = scopes_[side].find(name), there = scopes_[other(side)].find(name);
-    const bool counts = (here != scopes_[side].end() && here->second.size() > 1) || there != scopes_[other(side)].end();
+    const bool is_less_exact = names_precision(scope) && !old_scopes_[side].contains(scope);
+    const bool counts = (here != scopes_[side].end() && here->second.size() > 1) ||
+                        there != scopes_[other(side)].end() || is_less_exact;
     if (scope.empty() || !counts) return word(name, side);
     const auto renamed = renamed_.find(scope);
     return word(side == Side::Target && renamed != renamed_.end() ? renamed->second : scope, side) +

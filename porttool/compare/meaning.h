@@ -52,6 +52,7 @@ private:
     Literals literals_;                                     ///< Shading if one side at least is of that kind
     BySide<Spellings> spellings_;                           ///< by folded name
     BySide<Scopes> scopes_;                                 ///< by name
+    BySide<std::set<std::string_view>> old_scopes_;         ///< in the texts before
     std::map<std::string_view, std::string_view> renamed_;  ///< the source's scope for one of the port's
     BySide<std::set<std::string_view>> objects_;  ///< parameters whose members the other side names without an object
     BySide<VectorNames> vectors_;                 ///< what each side declares as vectors

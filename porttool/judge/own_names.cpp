@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "porttool/language/spelling.h"
 #include "porttool/scan/scan.h"
-#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
@@ -23,11 +23,11 @@ bool is_around(std::string_view scope, const UnitState& unit) {
     return at != std::string_view::npos && (at == 0 || all[at - 1] == ':');
 }
 
-/// `native::`, `metal::fast::`: libraries have functions of the names there that they have outside, less exact or more.
+/// `native::`, `metal::fast::`.
 bool stands_for_precision(std::string_view scope) {
     while (!scope.empty()) {
         const std::string_view part = scope.substr(0, scope.find("::"));
-        if (is_one_of(part, {"native", "half_precision", "precise", "fast"})) return true;
+        if (names_precision(part)) return true;
         scope.remove_prefix(std::min(scope.size(), part.size() + 2));
     }
     return false;

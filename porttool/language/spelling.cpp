@@ -6,6 +6,7 @@
 #include <array>
 
 #include "porttool/language/word_list.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
@@ -80,5 +81,9 @@ bool names_inlining(std::string_view word) {
 }
 
 bool has_other_spellings(std::string_view type) { return !found_in(kTypeSpellings, type).empty(); }
+
+bool names_precision(std::string_view scope) {
+    return is_one_of(scope, {"native", "half_precision", "precise", "fast"});
+}
 
 }  // namespace porttool

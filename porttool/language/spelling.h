@@ -19,4 +19,7 @@ bool names_inlining(std::string_view word);
 /// True for a type that one_spelling() knows, also as `std::uint32_t`.
 bool has_other_spellings(std::string_view type);
 
+/// `native`, `precise`: libraries have functions of the names there that they have outside, less exact or more.
+bool names_precision(std::string_view scope);
+
 }  // namespace porttool
