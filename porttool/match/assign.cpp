@@ -11,6 +11,7 @@
 
 #include "porttool/match/decide.h"
 #include "porttool/match/inlined_kernels.h"
+#include "porttool/match/left_over.h"
 #include "porttool/match/unit_forms.h"
 #include "porttool/match/unit_roles.h"
 
@@ -69,6 +70,7 @@ public:
         share_sources();
         add_handing_on();
         add_inlined();
+        add_left_over();
         return std::move(settled_);
     }
 
@@ -429,19 +431,35 @@ private:
         return only;
     }
 
+    /// The target of each source that has one.
+    std::vector<uint32_t> ports() const {
+        std::vector<uint32_t> out(source_.size(), kNoUnit);
+        for (const Assignment& pair : settled_)
+            if (out[pair.source] == kNoUnit) out[pair.source] = pair.target;
+        return out;
+    }
+
     /// Kernels that are left stand in a function that ports what launches them.
     void add_inlined() {
-        std::vector<uint32_t> ports(source_.size(), kNoUnit);
+        for (const InlinedKernel& kernel : find_inlined_kernels(source_, target_, ports(), claimed_))
+            add_by_body({kernel.source, kernel.target, kernel.confidence});
+    }
+
+    void add_left_over() {
+        std::vector<uint32_t> owners = claimed_;
         for (const Assignment& pair : settled_)
-            if (ports[pair.source] == kNoUnit) ports[pair.source] = pair.target;
-        for (const InlinedKernel& kernel : find_inlined_kernels(source_, target_, ports, claimed_)) {
-            Assignment pair;
-            pair.source = kernel.source;
-            pair.target = kernel.target;
-            pair.shared = true;
-            pair.confidence = kernel.confidence;
-            settled_.push_back(pair);
-        }
+            if (owners[pair.target] == kNoUnit) owners[pair.target] = pair.source;
+        for (const UnitPair& pair : find_left_over(source_, target_, terms_, candidates_, ports(), owners))
+            add_by_body(pair);
+    }
+
+    void add_by_body(const UnitPair& found) {
+        Assignment pair;
+        pair.source = found.source;
+        pair.target = found.target;
+        pair.shared = true;
+        pair.confidence = found.confidence;
+        settled_.push_back(pair);
     }
 
     const std::vector<UnitFeatures>& source_;

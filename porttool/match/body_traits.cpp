@@ -75,8 +75,25 @@ private:
         if (i + 1 >= end || lexed_.view(i + 1) != "(") return;
         if (is_launch_name(text)) traits_.launches = true;
         if (is_argument_name(text)) traits_.sets_arguments = true;
+        if ((text == "parallel_for" || text == "single_task") && takes_long_lambda(i + 1, end))
+            traits_.holds_kernel = true;
         const std::string_view before = i > 0 ? lexed_.view(i - 1) : std::string_view();
         if ((before == "." || before == "->") && is_argument_method(text)) takes_arguments_ = true;
+    }
+
+    /// `(range, [=](item<1> i) { ... })` with more in its braces than a call of what works.
+    bool takes_long_lambda(uint32_t open, uint32_t end) const {
+        constexpr int kStatements = 2;
+        int depth = 0, braces = 0, statements = 0;
+        for (uint32_t i = open; i < end; ++i) {
+            const std::string_view text = lexed_.view(i);
+            if (text == "(") ++depth;
+            if (text == ")" && --depth == 0) break;
+            if (text == "{") ++braces;
+            if (text == "}") --braces;
+            if (text == ";" && braces > 0) ++statements;
+        }
+        return statements >= kStatements;
     }
 
     bool speaks_of_kernels(const Unit& unit) const {

@@ -10,6 +10,7 @@ namespace porttool {
 struct BodyTraits {
     bool launches = false;        ///< it calls what sets a kernel's arguments or enqueues it, whatever the API
     bool sets_arguments = false;  ///< it sets a kernel's arguments
+    bool holds_kernel = false;    ///< it enqueues a lambda of several statements
     bool computes = false;        ///< it has a loop, arithmetic, or stores what it works out at an index that varies
     bool works = false;           ///< the same, and more arithmetic than a wrapper has
     bool acts = false;            ///< has a loop or a store at an index

@@ -14,6 +14,12 @@ struct FixedPair {
     uint32_t target = 0;
 };
 
+/// Two units by their numbers, and how sure it is that they belong together.
+struct UnitPair {
+    uint32_t source = 0, target = 0;
+    float confidence = 0;
+};
+
 struct Candidate {
     uint32_t source = 0;
     uint32_t target = 0;

@@ -5,15 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "porttool/match/candidates.h"
 #include "porttool/match/features.h"
 
 namespace porttool {
-
-/// Two units by their numbers, and how sure it is that they belong together.
-struct UnitPair {
-    uint32_t source = 0, target = 0;
-    float confidence = 0;
-};
 
 /// Constants by different names, or of a second port, that paired functions use in one place and that have one value:
 ///

@@ -155,6 +155,7 @@ private:
         features.launches = traits.launches;
         features.sets_arguments = traits.sets_arguments;
         features.launcher = traits.launches && !traits.stores && !features.kernel;
+        features.holds_kernel = traits.holds_kernel && !features.kernel;
         features.computes = traits.computes;
         features.acts = traits.acts;
         features.works = traits.works || features.kernel;

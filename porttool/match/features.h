@@ -54,6 +54,7 @@ struct UnitFeatures {
     bool computes = false;         ///< has a loop, arithmetic or a store at an index
     bool acts = false;             ///< has a loop or a store at an index
     bool works = false;            ///< the same, and more of it than a wrapper has
+    bool holds_kernel = false;     ///< enqueues a lambda that works, as a kernel does
     bool beside_kernels = false;   ///< its side has kernels
     bool on_device = false;        ///< its side has kernels, or hands lambdas on as such
     bool whole_file_main = false;  ///< a shader's main: the file's name is its name

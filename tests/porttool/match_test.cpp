@@ -636,6 +636,81 @@ TEST(Match, ConstantsOfOneValuePairWherePairedFunctionsUseThemInOnePlace) {
         << "a local of that name";
 }
 
+/// Names that tell nothing: what two units have in common, and no other unit has, is how they are written.
+TEST(Match, WhatIsWrittenLikeNothingElseIsAPortUnderAnyName) {
+    const std::string light = "float luma(float4 c)\n{\n    return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;\n}\n";
+    const std::string scan =
+        "int prefix(int* v, int n)\n{\n    int s = 0;\n    for (int i = 0; i < n; ++i) { s += v[i]; v[i] = s; }\n    "
+        "return "
+        "s;\n}\n";
+    const std::string found_by_numbers =
+        "static float Luminance(const Pixel& p)\n{\n    return 0.2126f * p.r + 0.7152f * p.g + 0.0722f * p.b;\n}\n";
+    const std::string other_numbers =
+        "static float Average(const Pixel& p)\n{\n    return p.r / 3 + wide(p.g, p.b) * 0.25f - p.count;\n}\n";
+    EXPECT_EQ(pairs(match({{"a.cl", light + scan}}, {{"b.cpp", found_by_numbers + other_numbers}})),
+              (Pairs{{"a.cl:luma", "b.cpp:Luminance"}}));
+    EXPECT_EQ(pairs(match({{"a.cl", light + scan}}, {{"b.cpp", other_numbers}})), Pairs());
+    EXPECT_EQ(
+        pairs(match({{"a.cl", light + scan}},
+                    {{"b.cpp", found_by_numbers + "static float Weigh(const Pixel& p)\n{\n    return 0.2126f * p.b + "
+                                                  "0.7152f * p.r + 0.0722f * p.g;\n}\n"}})),
+        Pairs())
+        << "either could be it";
+}
+
+TEST(Match, ALambdaThatIsHandedToTheDeviceIsPortedByAKernel) {
+    const std::string sum =
+        "void sumForces(sycl::queue& q, const float* f, float* total, int n)\n{\n    q.parallel_for(sycl::range<1>(n), "
+        "[=](sycl::id<1> i) {\n        float v = f[i];\n        float mag = sqrt(v * v + 0.25f);\n        "
+        "add_to(*total, "
+        "mag * v);\n    });\n}\n";
+    const std::string launcher =
+        "void sumForces(sycl::queue& q, const float* f, float* total, int n)\n{\n    q.parallel_for(sycl::range<1>(n), "
+        "[=](sycl::id<1> i) { force_sum(f, total, n, i); });\n}\n";
+    const std::string kernel =
+        "__global__ void force_sum(const float* f, float* total, int n)\n{\n    int i = blockIdx.x * blockDim.x + "
+        "threadIdx.x;\n    if (i >= n) return;\n    float v = f[i];\n    float mag = sqrt(v * v + 0.25f);\n    "
+        "add_to(*total, mag * v);\n}\n";
+    EXPECT_EQ(pairs(match({{"a.sycl.cpp", "#include <sycl/sycl.hpp>\n" + sum}}, {{"b.hip", kernel}})),
+              (Pairs{{"a.sycl.cpp:sumForces", "b.hip:force_sum"}}));
+    EXPECT_EQ(pairs(match({{"a.sycl.cpp", "#include <sycl/sycl.hpp>\n" + launcher}}, {{"b.hip", kernel}})), Pairs());
+}
+
+TEST(Match, OneFunctionHoldsAFamilyOfKernels) {
+    const auto kernel = [](const std::string& name, const std::string& value) {
+        return "__global__ void k_" + name +
+               "(const float* x, float* y, int n) { int i = blockIdx.x * blockDim.x + "
+               "threadIdx.x; if (i < n) y[i] = " +
+               value + "; }\n";
+    };
+    const std::string relu = kernel("relu", "x[i] > 0.0f ? x[i] : 0.0f"),
+                      silu = kernel("silu", "x[i] / (1.0f + expf(-x[i]))"),
+                      gelu = kernel("gelu", "0.5f * x[i] * (1.0f + tanhf(0.79788456f * x[i]))");
+    const auto holder = [](const std::string& a, const std::string& b, const std::string& c) {
+        return "template <Act A> void apply_activation(const float* x, float* y, int n)\n{\n    for (int i = 0; i < n; "
+               "++i) "
+               "{\n        const float v = x[i];\n        if constexpr (A == Act::" +
+               a +
+               ") y[i] = v > 0.0f ? v : 0.0f;\n"
+               "        else if constexpr (A == Act::" +
+               b +
+               ") y[i] = v / (1.0f + std::exp(-v));\n        else if constexpr "
+               "(A == Act::" +
+               c + ") y[i] = 0.5f * v * (1.0f + std::tanh(0.79788456f * v));\n    }\n}\n";
+    };
+    const std::string other =
+        "void fold_rows(const double* rows, int count)\n{\n    double all = 0;\n    while (count-- > 0) all += *rows++ "
+        "% 7;\n"
+        "    report(all, count);\n}\n";
+    const auto count = [&](const std::string& kernels, const std::string& target) {
+        return pairs(match({{"ops.cu", kernels}}, {{"act.cpp", target + other}})).size();
+    };
+    EXPECT_EQ(count(relu + silu + gelu, holder("Relu", "Silu", "Gelu")), 3u);
+    EXPECT_EQ(count(relu + silu + gelu, holder("First", "Second", "Third")), 0u) << "nothing says which it holds";
+    EXPECT_EQ(count(relu + silu + gelu, other), 0u);
+    EXPECT_EQ(count(relu + silu, holder("Relu", "Silu", "Gelu")), 0u) << "two are no family";
+}
+
 /// A project that has its functions in two forms, the second under names of its own: one word more throughout a file.
 TEST(Match, AFamilyInASecondFormIsPortedByBoth) {
     const std::vector<std::string> names = {"reverse", "rotate", "append", "purge", "mirror", "title"};
