@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -111,7 +112,9 @@ public:
         if (here == there) return true;
         double found = 0;
         if (!compare(here, there, found)) return false;
-        return none_is_liker(here, there_, found) && none_is_liker(there, here_, found);
+        const auto before_there = alike_before(here, there_, target, found),
+                   before_here = alike_before(there, here_, source, found);
+        return before_there && before_there == before_here;
     }
 
 private:
@@ -122,11 +125,17 @@ private:
         return true;
     }
 
-    bool none_is_liker(const Numbers& statement, const std::vector<Numbers>& others, double than) {
-        return std::all_of(others.begin(), others.end(), [&](const Numbers& one) {
+    /// How many of a text's statements before the one at `at` are as like the other side's, word for word as long as
+    /// that one: `first *= 2` and `second *= 2` are both as like `q *= 2`. None if one is more like it.
+    std::optional<size_t> alike_before(const Numbers& statement, const std::vector<Numbers>& others, size_t at,
+                                       double than) {
+        size_t out = 0;
+        for (size_t i = 0; i < others.size(); ++i) {
             double found = 0;
-            return compare(statement, one, found) && found <= than;
-        });
+            if (!compare(statement, others[i], found) || found > than) return {};
+            out += i < at && found == than && others[i].size() == others[at].size() ? 1 : 0;
+        }
+        return out;
     }
 
     WordNumbers numbers_;
@@ -135,7 +144,8 @@ private:
 };
 
 /// True if the edits are to statements that stand for each other: no other statement of either old text is more like
-/// what the other side's edit took away. Else the same words were changed in another place.
+/// what the other side's edit took away, and of several that are as like it, it is the same one in their order. Else
+/// the same words were changed in another place.
 bool same_statements(const StatementEdit& source, const StatementEdit& target) {
     if (source.lost.size() != target.lost.size() || source.gained.size() != target.gained.size()) return false;
     constexpr size_t kMostComparisons = 100'000;

@@ -750,5 +750,41 @@ TEST(TwoSidedEdit, ParenthesesAroundOneValueChangeNothing) {
     EXPECT_EQ(says("a * g(ray.t)", "a * g * ray.t"), Names{"port-differs"});
 }
 
+TEST(TwoSidedEdit, OfStatementsThatAreAsLikeEachOtherTheSameOneInTheirOrder) {
+    const std::string source =
+        "__kernel void f(__global float* f, __global float* g, float k) {\n"
+        "    int i = get_global_id(0);\n"
+        "    float q = f[i] * k - 0.5f;\n"
+        "    float h = g[i] * k - 0.5f;\n"
+        "    f[i] = q * 2.0f;\n"
+        "    g[i] = h * 2.0f;\n"
+        "}\n";
+    const std::string target =
+        "void f(struct S *s, int n, float k) {\n"
+        "    for (int i = 0; i < n; i++) {\n"
+        "        float first = s[i].left * k - 0.5f;\n"
+        "        float second = s[i].right * k - 0.5f;\n"
+        "        s[i].left = first * 2.0f;\n"
+        "        s[i].right = second * 2.0f;\n"
+        "    }\n"
+        "}\n";
+    const auto says = [&](const std::pair<std::string, std::string>& here,
+                          const std::pair<std::string, std::string>& there) {
+        return rules_of(
+            report_on({"",
+                       "k.cl",
+                       "k.c",
+                       {source, target},
+                       {replaced(source, here.first, here.second), replaced(target, there.first, there.second)},
+                       {}}));
+    };
+    EXPECT_EQ(says({"q * 2.0f", "q * 4.0f"}, {"first * 2.0f", "first * 4.0f"}), Names{});
+    EXPECT_EQ(says({"q * 2.0f", "q * 4.0f"}, {"second * 2.0f", "second * 4.0f"}), Names{"port-differs"});
+    EXPECT_EQ(says({"h * 2.0f", "h * 4.0f"}, {"second * 2.0f", "second * 4.0f"}), Names{});
+    EXPECT_EQ(says({"h * 2.0f", "h * 4.0f"}, {"first * 2.0f", "first * 4.0f"}), Names{"port-differs"});
+    EXPECT_EQ(says({"g[i] * k - ", "g[i] * k + "}, {"right * k - ", "right * k + "}), Names{});
+    EXPECT_EQ(says({"g[i] * k - ", "g[i] * k + "}, {"left * k - ", "left * k + "}), Names{"port-differs"});
+}
+
 }  // namespace
 }  // namespace porttool::testing::two_sided_edit_test
