@@ -54,7 +54,7 @@ public:
         }
     }
 
-    std::vector<Assignment> run() {
+    std::vector<Assignment> run(bool all) {
         choose();
         add_affinity();
         add_callee_affinity();
@@ -70,7 +70,7 @@ public:
         share_sources();
         add_handing_on();
         add_inlined();
-        add_left_over();
+        if (all) add_left_over();
         return std::move(settled_);
     }
 
@@ -483,8 +483,8 @@ private:
 
 std::vector<Assignment> assign(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target,
                                const TermNumbers& terms, const std::vector<FixedPair>& fixed,
-                               std::vector<std::vector<Candidate>> candidates) {
-    return Assigner(source, target, terms, fixed, std::move(candidates)).run();
+                               std::vector<std::vector<Candidate>> candidates, bool all) {
+    return Assigner(source, target, terms, fixed, std::move(candidates)).run(all);
 }
 
 }  // namespace porttool

@@ -29,9 +29,10 @@ struct Assignment {
 
 /// Gives each source at most one target and each target at most one source, the most alike first; what is left may
 /// share one that is taken. Fixed pairs come before all others. Done in rounds: the certain pairs of one tell which
-/// files belong together and how names change, and so correct the next.
+/// files belong together and how names change, and so correct the next. Where the units of one side are not `all` there
+/// are, nothing is paired for being written like nothing else is.
 std::vector<Assignment> assign(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target,
                                const TermNumbers& terms, const std::vector<FixedPair>& fixed,
-                               std::vector<std::vector<Candidate>> candidates);
+                               std::vector<std::vector<Candidate>> candidates, bool all);
 
 }  // namespace porttool

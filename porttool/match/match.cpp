@@ -107,8 +107,11 @@ Matching match_port(const std::vector<ScannedFile>& source, const std::vector<Sc
         out.pairs.push_back({id_of(source, open.source[pair.source]), id_of(target, open.target[pair.target]),
                              pair.confidence, PairState::Suggested});
     };
-    for (const Assignment& pair : assign(open.source, open.target, terms, open.fixed,
-                                         find_candidates(open.source, open.target, open.fixed, kMostCandidates))) {
+    const bool is_whole = std::none_of(settled.pairs.begin(), settled.pairs.end(),
+                                       [](const auto& pair) { return pair.first.empty() || pair.second.empty(); });
+    for (const Assignment& pair :
+         assign(open.source, open.target, terms, open.fixed,
+                find_candidates(open.source, open.target, open.fixed, kMostCandidates), is_whole)) {
         all.push_back({pair.source, pair.target, pair.fixed ? 1.0f : pair.confidence});
         if (!pair.fixed && !target_settled[pair.target]) suggest(all.back());
     }

@@ -656,6 +656,10 @@ TEST(Match, WhatIsWrittenLikeNothingElseIsAPortUnderAnyName) {
                                                   "0.7152f * p.r + 0.0722f * p.g;\n}\n"}})),
         Pairs())
         << "either could be it";
+    EXPECT_EQ(pairs(match({{"a.cl", light + scan}}, {{"b.cpp", found_by_numbers + other_numbers}},
+                          Settled{{{"a.cl:prefix", ""}}, {}, true})),
+              (Pairs{{"a.cl:prefix", ""}}))
+        << "where the others of its side are not looked at, nobody knows that it is alone";
 }
 
 TEST(Match, ALambdaThatIsHandedToTheDeviceIsPortedByAKernel) {
