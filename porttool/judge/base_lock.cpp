@@ -38,6 +38,12 @@ const LockedPair* accepted_since(const LinesByPair& then, const LinesByPair& now
     return matches ? line : nullptr;
 }
 
+/// What macros make of words and files declare of them, as far as a line says such things.
+std::string counted_as(const std::string& line, const std::string& words) {
+    if (!counts_keywords(line)) return without_keywords(words);
+    return counts_declared(line) ? words : without_declared(words);
+}
+
 /// Lines of the base that do not say what macros there were, or say it without keywords, say it as far as today's lines
 /// do: then these differ by what was done to macros since, not by having been noted.
 void note_macros_as_today(LockFile& then, const LockFile& now, const Snapshot& base) {
@@ -48,9 +54,7 @@ void note_macros_as_today(LockFile& then, const LockFile& now, const Snapshot& b
         const LockedPair* line = lines.find(then.pairs[i].source, then.pairs[i].target);
         for (const Side side : kBothSides)
             if (line != nullptr && !line->macros[side].empty())
-                then.pairs[i].macros[side] = counts_keywords(line->macros[side])
-                                                 ? noted.pairs[i].macros[side]
-                                                 : without_keywords(noted.pairs[i].macros[side]);
+                then.pairs[i].macros[side] = counted_as(line->macros[side], noted.pairs[i].macros[side]);
     }
 }
 

@@ -8,6 +8,8 @@
 #include <set>
 
 #include "porttool/compare/asides.h"
+#include "porttool/normal/locals.h"
+#include "porttool/normal/normal_form.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
@@ -27,6 +29,50 @@ std::string difference(std::string_view then, std::string_view now) {
     return out;
 }
 
+/// The same of what files declare of words: what came or went is a matter of where it stands.
+std::string declared_difference(std::string_view then, std::string_view now) {
+    const auto before = words_with_macros(then), after = words_with_macros(now);
+    std::string out;
+    for (const auto& [word, hash] : after)
+        if (const auto known = before.find(word);
+            word.starts_with('=') && known != before.end() && known->second != hash)
+            out += (out.empty() ? "" : " ") + std::string(word) + ":" + std::string(hash);
+    return out;
+}
+
+/// A word of an edit as the text has it.
+std::string_view plain_word(std::string_view word) { return word.substr(word.starts_with('=') ? 1 : 0); }
+
+/// True if a text has a word that is neither a local of its own nor a member.
+bool uses_word(const NormalText& text, std::string_view word) {
+    std::optional<std::vector<size_t>> locals;
+    for (size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != word || (i > 0 && (text[i - 1] == "." || text[i - 1] == "->"))) continue;
+        if (!locals) locals = local_numbers(text.words());
+        if (locals->empty() || (*locals)[i] == 0) return true;
+    }
+    return false;
+}
+
+/// What a declaration gives its word, numbers by their values: `1.5` of `const float gain = 1.5f` and of
+/// `#define AMPLIFY 1.5`; of a type or a block all that it says.
+std::string value_of(std::string_view text) {
+    const size_t sign = text.rfind(" = ");
+    if (sign != std::string_view::npos) {
+        text.remove_prefix(sign + 3);
+    } else if (text.starts_with("# define ")) {
+        text.remove_prefix(std::min(text.size(), text.find(' ', std::string_view("# define ").size())));
+    }
+    std::string out;
+    for (size_t at = text.find_first_not_of(' '); at < text.size(); at = text.find_first_not_of(' ', at)) {
+        const size_t end = std::min(text.find(' ', at), text.size());
+        const std::string_view word = text.substr(at, end - at);
+        out += (out.empty() ? "" : " ") + (is_number_token(word) ? number_value(word) : std::string(word));
+        at = end;
+    }
+    return out;
+}
+
 /// Of a difference what is about words of a text; of a text that lost the word its own edit tells.
 std::string of_words_in(const NormalText& text, const std::string& difference) {
     std::set<std::string_view> words;
@@ -43,7 +89,7 @@ bool are_words_of_asides(const UnitState& unit, std::string_view edit) {
     const Words rest = without_asides(unit.text.words());
     const auto edited = words_with_macros(edit);
     return std::none_of(edited.begin(), edited.end(), [&](const auto& one) {
-        return one.first == "*" || std::find(rest.begin(), rest.end(), one.first) != rest.end();
+        return one.first.ends_with('*') || std::find(rest.begin(), rest.end(), plain_word(one.first)) != rest.end();
     });
 }
 
@@ -89,28 +135,91 @@ void MacroEdits::judge(JudgedPair& pair, const LockedPair* line) {
     if (line == nullptr || !facts_.files) return;
     BySide<std::string> edits;
     for (const Side side : kBothSides) edits[side] = edit_of(pair, *line, side);
-    if (edits.source == edits.target) return;  // none, or both sides did the same
+    if (edits.source == edits.target) edits = {};  // none, or both sides did the same
+    BySide<std::string> declared;
+    for (const Side side : kBothSides) declared[side] = declared_edit(pair, *line, side);
+    const bool both = !declared.source.empty() && !declared.target.empty();
+    if (both && values_of(pair, Side::Source, declared.source) == values_of(pair, Side::Target, declared.target))
+        declared = {};
+    for (const Side side : kBothSides)
+        if (!declared[side].empty()) edits[side] += (edits[side].empty() ? "" : " ") + declared[side];
     for (const Side side : kBothSides)
         if (!edits[side].empty()) tell(pair, side, edits[side]);
 }
 
 /// Held against the text as it was recorded: a unit that was edited to use a macro tells of that by itself.
+std::string MacroEdits::now_of(const JudgedPair& pair, const LockedPair& line, Side side) {
+    const UnitState& unit = *pair.unit[side];
+    const Print print = (side == Side::Source ? line.source_prints : line.target_prints).written;
+    return print != unit.prints.written ? macros(side).of(unit.file, facts_.base_text(print))
+                                        : macros(side).of(unit.file, unit.text);
+}
+
 std::string MacroEdits::edit_of(const JudgedPair& pair, const LockedPair& line, Side side) {
     const std::string& then = line.macros[side];
     const UnitState* unit = pair.unit[side];
     if (then.empty() || unit == nullptr) return {};
-    const Print print = (side == Side::Source ? line.source_prints : line.target_prints).written;
-    const bool is_edited = print != unit->prints.written;
-    std::string now =
-        is_edited ? macros(side).of(unit->file, facts_.base_text(print)) : macros(side).of(unit->file, unit->text);
-    std::string recorded = then;
+    std::string now = without_declared(now_of(pair, line, side)), recorded = without_declared(then);
     // A macro over a keyword is a new unit by itself where units must have a port.
     if (!counts_keywords(then) || is_contract(facts_.map.reference, side)) {
         now = without_keywords(now);
         recorded = without_keywords(recorded);
     }
     if (now == recorded) return {};
-    return is_edited ? of_words_in(unit->text, difference(recorded, now)) : difference(recorded, now);
+    const Print print = (side == Side::Source ? line.source_prints : line.target_prints).written;
+    return print != unit->prints.written ? of_words_in(unit->text, difference(recorded, now))
+                                         : difference(recorded, now);
+}
+
+/// What is declared otherwise of words that the text has, as it had them when it was recorded, and that is told by no
+/// finding of its own.
+std::string MacroEdits::declared_edit(const JudgedPair& pair, const LockedPair& line, Side side) {
+    const std::string& then = line.macros[side];
+    const UnitState* unit = pair.unit[side];
+    if (!counts_declared(then) || unit == nullptr) return {};
+    const bool is_code = unit->kind == UnitKind::Function || unit->kind == UnitKind::Kernel;
+    const std::string now = now_of(pair, line, side);
+    if (!is_code || now == then) return {};
+    const std::string changed = declared_difference(then, now);
+    std::string out;
+    for (const auto& [word, hash] : words_with_macros(changed)) {
+        const auto declared = macros(side).first_seen(unit->file, word);
+        const bool is_one = word != "=*";
+        if (is_one && (!declared || !uses_word(unit->text, plain_word(word)) || is_told_elsewhere(side, *declared)))
+            continue;
+        out += (out.empty() ? "" : " ") + std::string(word) + ":" + std::string(hash);
+    }
+    return out;
+}
+
+/// True for what is a unit in a pair, or under an `[[ignore]]`; and, with a merge base, for types: NewNames tells of
+/// those.
+bool MacroEdits::is_told_elsewhere(Side side, const WordMacro& declared) {
+    const bool is_type = declared.text.starts_with("typedef ") || declared.text.starts_with("using ");
+    if (is_type) return facts_.at_base[side] != nullptr;
+    if (!declaring_[side]) {
+        auto& units = declaring_[side].emplace();
+        for (const auto& [id, unit] : side == Side::Source ? facts_.source : facts_.target)
+            if (unit.kind == UnitKind::Constant || unit.kind == UnitKind::Struct) units.emplace(unit.file, &unit);
+        for (const MapPair& pair : facts_.map.pairs) {
+            if (side == Side::Source) watched_.source.insert(pair.source);
+            if (side == Side::Target) watched_.target.insert(pair.targets.begin(), pair.targets.end());
+        }
+    }
+    const auto [first, last] = declaring_[side]->equal_range(declared.file);
+    return std::any_of(first, last, [&](const auto& one) {
+        const UnitState& unit = *one.second;
+        return unit.start_line <= declared.line && declared.line <= unit.end_line && watched_[side].contains(unit.id);
+    });
+}
+
+/// What the words of an edit are given now.
+std::multiset<std::string> MacroEdits::values_of(const JudgedPair& pair, Side side, const std::string& edit) {
+    std::multiset<std::string> out;
+    for (const auto& [word, hash] : words_with_macros(edit))
+        if (const auto declared = macros(side).first_seen(pair.unit[side]->file, word))
+            out.insert(value_of(declared->text));
+    return out;
 }
 
 /// True if the pair has a finding on the edit of that side's own text: one look at it sees both.
@@ -152,8 +261,8 @@ void MacroEdits::tell(JudgedPair& pair, Side side, const std::string& edit) {
         if (finding.message.empty())
             finding.message =
                 fmt::format("{} says something else, unedited: ", side == Side::Source ? "the source" : "the port") +
-                (word == "*" ? "macros changed of more of its words than are kept apart"
-                             : fmt::format("its word {} is {}", word, says));
+                (word.ends_with('*') ? "macros changed of more of its words than are kept apart"
+                                     : fmt::format("its word {} is {}", plain_word(word), says));
     }
     if (std::all_of(finding.details.begin(), finding.details.end(),
                     [](const std::string& line) { return is_alias_of_runtime(std::string_view(line).substr(2)); })) {

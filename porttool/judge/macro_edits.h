@@ -4,7 +4,9 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/judge.h"
@@ -13,7 +15,9 @@
 namespace porttool {
 
 /// Finds the pairs of which one side says something else since macros came, went or changed, while its own text, as
-/// recorded, has their names as words. The first pair of those that the same macros changed tells of it.
+/// recorded, has their names as words; or since what its files declare of its words did, where no pair watches that: a
+/// constant, an enumerator, a type's other name, a block of variables. The first pair of those that the same macros
+/// changed tells of it.
 class MacroEdits {
 public:
     /// Both must outlive it.
@@ -33,6 +37,10 @@ private:
     };
 
     std::string edit_of(const JudgedPair& pair, const LockedPair& line, Side side);
+    std::string declared_edit(const JudgedPair& pair, const LockedPair& line, Side side);
+    bool is_told_elsewhere(Side side, const WordMacro& declared);
+    std::multiset<std::string> values_of(const JudgedPair& pair, Side side, const std::string& edit);
+    std::string now_of(const JudgedPair& pair, const LockedPair& line, Side side);
     void tell(JudgedPair& pair, Side side, const std::string& edit);
     bool is_told_by_edit(const JudgedPair& pair, const Finding& of_macros) const;
     WordMacros& macros(Side side);
@@ -40,6 +48,9 @@ private:
     const Case& facts_;
     FindingList& findings_;
     BySide<std::optional<WordMacros>> macros_;
+    /// Constants and structs by their files, and the units that pairs watch; filled when first asked.
+    BySide<std::optional<std::multimap<std::string_view, const UnitState*>>> declaring_;
+    BySide<std::set<std::string>> watched_;
     std::map<std::string, Told> told_;  ///< by the edit
 };
 

@@ -28,9 +28,11 @@ private:
     bool note(LockedPair& line, Side side, const std::string& id, const Fingerprints& prints) {
         const auto unit = states_[side].find(id);
         std::string& noted = line.macros[side];
-        if (counts_keywords(noted) || unit == states_[side].end() || unit->second.prints != prints) return false;
+        if (counts_declared(noted) || unit == states_[side].end() || unit->second.prints != prints) return false;
         std::string now = macros_[side].of(unit->second.file, unit->second.text);
-        if (!noted.empty() && noted != without_keywords(now)) return false;  // that is to be told first
+        const std::string as_noted = counts_keywords(noted) ? without_declared(now) : without_keywords(now);
+        if (!noted.empty() && noted != as_noted) return false;  // that is to be told first
+        if (noted == now) return false;
         noted = std::move(now);
         return true;
     }

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "porttool/language/words.h"
+#include "porttool/normal/declared_lines.h"
 #include "porttool/scan/macros.h"
 #include "porttool/text/fingerprint.h"
 
@@ -93,6 +94,7 @@ FileMacros file_macros(const ScannedFile& file) {
         const bool is_unit = unit != file.units.end() && unit->tokens.first == directive.first_token;
         out.lines.push_back({std::string(lexed.view(name)), text_of(lexed, directive, is_unit), directive.line});
     }
+    for (MacroLine& line : declared_lines(file)) out.lines.push_back(std::move(line));
     return out;
 }
 
@@ -106,8 +108,10 @@ std::vector<FileMacros> file_macros(const std::vector<ScannedFile>& files) {
 WordMacros::WordMacros(std::vector<FileMacros> files) : files_(std::move(files)) {
     for (uint32_t i = 0; i < files_.size(); ++i)
         for (const MacroLine& line : files_[i].lines) {
-            by_word_[line.word].definitions.push_back({i, &line});
-            sieve_.add(line.word);
+            const bool declares = line.word.starts_with('=');
+            const std::string_view word = std::string_view(line.word).substr(declares ? 1 : 0);
+            (declares ? declared_ : by_word_)[word].definitions.push_back({i, &line});
+            sieve_.add(word);
         }
 }
 
@@ -121,27 +125,37 @@ size_t WordMacros::Sieve::place(std::string_view word) {
 }
 
 std::string WordMacros::of(const std::string& path, const UnitText& text) {
-    if (by_word_.empty()) return "+";
-    std::map<std::string_view, std::string_view> found;
+    if (by_word_.empty() && declared_.empty()) return "+";
+    std::map<std::string_view, std::string_view> macros, declared;
     std::unordered_map<std::string_view, std::string>* hashes = nullptr;  // of the path
-    text.each_name([&](std::string_view word) {
-        if (!sieve_.may_have(word)) return;
-        const auto defined = by_word_.find(word);
-        if (defined == by_word_.end() || found.contains(defined->first)) return;
+    const auto look_up = [&](std::unordered_map<std::string_view, Word>& words, std::string_view word, bool declares,
+                             std::map<std::string_view, std::string_view>& found) {
+        const auto defined = words.find(word);
+        if (defined == words.end() || found.contains(defined->first)) return;
         if (hashes == nullptr) hashes = &hashes_[path];
-        const auto [known, is_new] = hashes->try_emplace(defined->first);
+        const std::string_view key = declares ? defined->second.definitions[0].line->word : defined->first;
+        const auto [known, is_new] = hashes->try_emplace(key);
         if (is_new) known->second = hash_seen(path, defined->second);
         if (!known->second.empty()) found.emplace(defined->first, known->second);
+    };
+    text.each_name([&](std::string_view word) {
+        if (!sieve_.may_have(word)) return;
+        look_up(by_word_, word, false, macros);
+        look_up(declared_, word, true, declared);
     });
-    std::string names, keywords;
+    std::string names, keywords, said;
     size_t count = 0;
-    for (const auto& [word, hash] : found) {
+    for (const auto& [word, hash] : macros) {
         const bool is_keyword = redefines_word(word);
         add(is_keyword ? keywords : names, word, hash);
         count += is_keyword ? 0 : 1;
     }
+    for (const auto& [word, hash] : declared) add(said, "=" + std::string(word), hash);
     if (count > kMostWords) names = "*:" + hash_of(std::set{names});
-    return "+" + (names.empty() ? "" : " " + names) + (keywords.empty() ? "" : " " + keywords);
+    if (declared.size() > kMostWords) said = "=*:" + hash_of(std::set{said});
+    std::string out = "+";
+    for (const std::string* part : {&names, &keywords, &said}) out += (part->empty() ? "" : " ") + *part;
+    return out;
 }
 
 void WordMacros::sort_by_file(Word& defined) {
@@ -183,8 +197,10 @@ std::string WordMacros::hash_seen(const std::string& path, Word& defined) {
 }
 
 std::optional<WordMacro> WordMacros::first_seen(const std::string& path, std::string_view word) {
-    const auto defined = by_word_.find(word);
-    if (defined == by_word_.end()) return std::nullopt;
+    const bool declares = word.starts_with('=');
+    auto& words = declares ? declared_ : by_word_;
+    const auto defined = words.find(word.substr(declares ? 1 : 0));
+    if (defined == words.end()) return std::nullopt;
     const std::vector<const InFile*> seen = seen_in(path, defined->second);
     const bool all = seen_files(path).all;
     if (seen.empty() && !all) return std::nullopt;
@@ -257,9 +273,11 @@ const WordMacros::Files& WordMacros::included_by(uint32_t file) {
 std::string without_keywords(std::string_view words) {
     std::string out;
     for (const auto& [word, hash] : words_with_macros(words))
-        if (!redefines_word(word)) add(out, word, hash);
+        if (!redefines_word(word) && !word.starts_with('=')) add(out, word, hash);
     return out.empty() ? "-" : out;
 }
+
+std::string without_declared(std::string_view words) { return std::string(words.substr(0, words.find(" ="))); }
 
 std::map<std::string_view, std::string_view> words_with_macros(std::string_view words) {
     std::map<std::string_view, std::string_view> out;

@@ -19,7 +19,7 @@ namespace porttool {
 
 /// A line of a file that gives a word of code another meaning.
 struct MacroLine {
-    std::string word;
+    std::string word;  ///< behind `=` where the line is a declaration: see declared_lines()
     std::string text;  ///< `#define sinf __sinf`; of a macro that is a unit itself only `#define fma ...`
     uint32_t line = 1;
 };
@@ -65,9 +65,11 @@ public:
     /// but for keywords and types of C, which stand behind. Without the plus: as it was noted when those did not count.
     /// Takes time in line with the text, whatever there is of definitions: those of a word are looked through once for
     /// each file.
+    /// Behind that what the file and those it includes declare of words of the text, `=gain:5f0c6a417b2d9e03`, if
+    /// anything; many are one, too.
     std::string of(const std::string& path, const UnitText& text);
 
-    /// The first macro of that name which a file sees, by file and line.
+    /// The first macro of that name which a file sees, by file and line; behind `=` the first declaration.
     std::optional<WordMacro> first_seen(const std::string& path, std::string_view word);
 
     /// True if a file includes another of the side, by whatever steps, as far as can be said.
@@ -115,7 +117,7 @@ private:
     };
 
     std::vector<FileMacros> files_;
-    std::unordered_map<std::string_view, Word> by_word_;
+    std::unordered_map<std::string_view, Word> by_word_, declared_;
     Sieve sieve_;                                                ///< of the keys of by_word_
     std::unordered_map<std::string_view, uint32_t> by_path_;     ///< filled when first asked
     std::vector<std::pair<std::string, uint32_t>> by_path_end_;  ///< by the path from its end, sorted
@@ -127,6 +129,12 @@ private:
 
 /// True for what WordMacros::of() gives today, false for what was noted without keywords and types.
 constexpr bool counts_keywords(std::string_view words) { return words.starts_with('+'); }
+
+/// True if words stand in it for what files declare of them.
+constexpr bool counts_declared(std::string_view words) { return words.find(" =") != std::string_view::npos; }
+
+/// What WordMacros::of() gave as it was noted without what files declare.
+std::string without_declared(std::string_view words);
 
 /// What WordMacros::of() gave as it was noted without keywords and types; "-" for none.
 std::string without_keywords(std::string_view words);
