@@ -101,6 +101,16 @@ void open_whole_value(Text& words) {
     words.erase(words.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
+/// `void @ :: f (`, whose class is part of its name, is `void @ (`: that the name is another one is told by itself.
+void drop_class_of_name(Text& head) {
+    const auto name = static_cast<size_t>(std::find(head.begin(), head.end(), "@") - head.begin());
+    size_t end = name + 1;
+    while (end + 1 < head.size() && head[end] == "::" && is_word_token(head[end + 1])) end += 2;
+    if (end < head.size() && head[end] == "(")
+        head.erase(head.begin() + static_cast<std::ptrdiff_t>(name) + 1,
+                   head.begin() + static_cast<std::ptrdiff_t>(end));
+}
+
 /// A head with the words that say what kind of function it is, and its bounds of a launch, in one order: before its
 /// type they may stand in any.
 ///
@@ -203,6 +213,7 @@ std::vector<std::string> PlainStatements::translate(const Words& statement, bool
         out[out.size() - 3] == "(")
         out.erase(out.end() - 2);  // f(void)
     if (in_head) write_manner_first(out, language_);
+    if (in_head) drop_class_of_name(out);
     if (language_ == Language::Glsl) drop_default_sizes(out);
     out = with_plain_launches(with_functional_casts(with_c_casts(out, dialect_), dialect_));
     out = with_plain_global_ids(out, dialect_);

@@ -172,6 +172,9 @@ void PairJudge::report_gone(const JudgedPair& pair, bool is_recorded) {
             is_original ? target + " is gone; " + source + " is still there" : "the port " + target + " is gone");
         if (const std::string call = call_in_place_of(target); !call.empty())
             finding.message += "; " + call + " is called there now";
+        if (is_original)
+            finding.remedy =
+                "Remove " + source + " and its [[pair]], or name what took the place of " + target + " in portmap.toml";
     } else if (no_target) {
         findings_.add(Rule::DeadLink, pair, ChangeKind::Removed, "the map names a port that is not there: " + target);
     } else if (is_recorded && facts_.map.reference == Reference::Target) {

@@ -177,7 +177,7 @@ void Resolver::follow_files(const Names& gone) {
 }
 
 /// A unit that was moved or renamed and edited at once: under its name it keeps most of its words, under another one in
-/// its own file nearly all, and no other unit is as like.
+/// its own file nearly all, or in a file that others of its own went to, and no other unit is as like.
 void Resolver::follow_likeness(const Names& gone) {
     if (gone.empty()) return;
     constexpr double kUnderItsName = 0.6, kInItsFile = 0.85;
@@ -188,6 +188,9 @@ void Resolver::follow_likeness(const Names& gone) {
         by_name[std::string(leaf_of(plain_id(unit.name)))].push_back(&unit);
         by_file[unit.file].push_back(&unit);
     }
+    std::map<std::string, std::set<std::string>> went;  // old file -> the files that its units went to
+    for (const auto& [id, found] : found_)
+        if (found.elsewhere) went[split_id(id).first].insert(found.unit->file);
     size_t words = 0;
     for (const NamedUnit* name : gone) {
         const NormalText before = base_text_(name->prints->written);
@@ -208,8 +211,11 @@ void Resolver::follow_likeness(const Names& gone) {
         };
         if (const auto found = by_name.find(std::string(leaf_of(plain_id(unit_name)))); found != by_name.end())
             try_all(found->second, kUnderItsName);
-        if (const auto found = by_file.find(file); best == nullptr && found != by_file.end())
-            try_all(found->second, kInItsFile);
+        std::set<std::string> places = went[file];
+        places.insert(file);
+        if (best == nullptr)
+            for (const std::string& place : places)
+                if (const auto found = by_file.find(place); found != by_file.end()) try_all(found->second, kInItsFile);
         if (best != nullptr && second < likeness) give(name->id, *best, true);
     }
 }
