@@ -90,6 +90,15 @@ std::vector<std::filesystem::path> pictures_of(const Options& options) {
     return files;
 }
 
+/// A path without what another spelling of it would leave out.
+std::filesystem::path whole(const std::string& name) {
+    return (std::filesystem::absolute(name).lexically_normal() / "").lexically_normal();
+}
+
+std::filesystem::path folder_of(const std::string& file) {
+    return whole(std::filesystem::absolute(file).lexically_normal().parent_path().string());
+}
+
 /// The pictures that the evidence names, from its folder: those beneath it.
 std::vector<std::string> evidence_pictures(const Options& options) {
     std::vector<std::string> pictures;
@@ -132,7 +141,9 @@ Status check_questions(const Options& options) {
         return Status::invalid("--locate follows the same paths on both cores; leave --seed-target out");
     if (options.bias && options.spp.size() > 1)
         return Status::invalid("--bias takes one count of samples; give one in --spp");
-    return options.evidence.empty() ? Status::success() : check_writable(options.evidence);
+    const bool is_beside_pictures = !options.output.empty() && folder_of(options.evidence) == whole(options.output);
+    // The folder of the pictures is made with them.
+    return options.evidence.empty() || is_beside_pictures ? Status::success() : check_writable(options.evidence);
 }
 
 Status check_compare(const Options& options, Console& console) {

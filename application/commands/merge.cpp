@@ -84,8 +84,14 @@ ExitCode run_merge(const Options& options, Console& console) {
             "those of one run");
     if (whole->ranges.size() > 1 || whole->ranges.front().first > 0)
         console.warning(fmt::format("samples {} only: those between are missing", notes.ranges));
-    console.note(fmt::format("{}: {} per pixel of {}", options.output, counted(notes.samples, "sample"),
-                             counted(options.inputs.size(), "file")));
+    if (options.format == Format::json)
+        console.result(json_text(Json{{"image", options.output},
+                                      {"samples", notes.samples},
+                                      {"ranges", notes.ranges},
+                                      {"files", options.inputs.size()}}));
+    else
+        console.note(fmt::format("{}: {} per pixel of {}", options.output, counted(notes.samples, "sample"),
+                                 counted(options.inputs.size(), "file")));
     return DONE;
 }
 

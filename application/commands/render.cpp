@@ -116,10 +116,12 @@ ExitCode run_render(const Options& options, Console& console) {
     // A core in a team knows of its own tiles alone.
     const double seconds = team() ? taking.count() : stats.total_ms * 1e-3;
     const std::string text = render_text(options, file, sums.samples, stats, seconds);
-    if (!options.output.empty())
-        console.note(text.substr(0, text.size() - 1));
+    if (options.format == Format::json)
+        console.result(json_text(json));
+    else if (options.output.empty())
+        console.result(text);
     else
-        console.result(options.format == Format::json ? json_text(json) : text);
+        console.note(text.substr(0, text.size() - 1));
     if (!run.interrupted()) return DONE;
     return exit_code_of_signal(interrupt.signal());
 }

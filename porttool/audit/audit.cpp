@@ -143,7 +143,9 @@ public:
                          [](const AuditItem& a, const AuditItem& b) { return a.certainty > b.certainty; });
         out.found = out.items.size();
         if (choice_.limit <= kFew) drop_unlikely(out.items);
+        const size_t before = out.items.size();
         add_patches(out.items);
+        out.found -= before - out.items.size();  // what needs no port is no item
         if (out.items.size() > choice_.limit) out.items.resize(choice_.limit);
         if (choice_.runs) add_witnesses(out.items);
         return out;

@@ -17,8 +17,9 @@
 namespace porttool {
 namespace {
 
-/// True for a pair that is out of step, also by a side that is gone.
+/// True for a pair that is out of step, also by a side that is gone, and of which nobody said that no port is due.
 bool is_due(const JudgedPair& pair) {
+    if (pair.standing == PairStanding::Ignored) return false;
     const bool gone = pair.unit.source == nullptr || pair.unit.target == nullptr;
     return gone ? pair.standing != PairStanding::InStep : pair.changed && !pair.equivalent;
 }

@@ -29,7 +29,7 @@ public:
             if (variable.about != FileVariable::Declares) continue;
             const auto block = by_brace.find(variable.tokens.end);
             if (block != by_brace.end())
-                add(variable.name_token, text_of({variable.tokens.first, block->second->body.end + 1}));
+                add(variable.name_token, text_of({behind_layout(variable.tokens), block->second->body.end + 1}));
         }
         for (const DeclaredWord& one : declared_words(file_))
             if (one.kind == DeclaredWord::Kind::Type || gives_value(one)) add(one.name_token, text_of(one.tokens));
@@ -42,6 +42,15 @@ private:
     bool is_code(uint32_t at) const {
         const Token& token = lexed_.tokens[at];
         return (token.flags & kDead) == 0;
+    }
+
+    /// A block without its `layout(binding = 0)` in front: where the host puts it. How it is packed stands before each
+    /// text that uses it.
+    uint32_t behind_layout(TokenRange tokens) const {
+        if (lexed_.view(tokens.first) != "layout") return tokens.first;
+        uint32_t at = tokens.first;
+        while (at < tokens.end && lexed_.view(at) != ")") ++at;
+        return std::min(at + 1, tokens.end);
     }
 
     std::string text_of(TokenRange tokens) const {

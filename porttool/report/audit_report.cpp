@@ -58,7 +58,8 @@ std::string more_pairs(const AuditItem& item) {
 std::string tail(const Audit& audit) {
     return fmt::format("{} of {} items; {} pairs, {} commits read{}", audit.items.size(), audit.found, audit.pairs,
                        audit.commits,
-                       audit.shallow ? "; a shallow clone: what its oldest commits did is not known" : "");
+                       audit.shallow ? "; a shallow clone: what its oldest commits did is not known" : "") +
+           (audit.items.empty() && audit.found > 0 ? "; all are doubtful: --limit 1000 lists them" : "");
 }
 
 /// The lines of a patch, each through a sink.

@@ -219,8 +219,9 @@ TEST_F(Cores, AFilteredPictureHasTheSameBitsInExactModeAndDiffersFromAnUnfiltere
     SKIP_WITHOUT("target");
     const auto filtered = [&](const std::string& core, const std::string& name, const std::string& filter) {
         const RunResult result = run({"render", SCENE, "--core", core, "--size", "50x37", "--spp", "3", "--exact",
-                                      "--filter", filter, "-o", name});
-        EXPECT_EQ(result.exit_code, 0) << result.err;
+                                      "--filter", filter, "-o", name, "--format", "json"});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_EQ(json::parse(result.out)["size"], json({50, 37})) << "the result is on stdout, a file or not";
     };
     filtered("source", "source.exr", "spatial");
     filtered("target", "target.exr", "spatial");

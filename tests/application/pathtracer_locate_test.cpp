@@ -106,6 +106,10 @@ TEST_F(Locate, FindsNothingBetweenTwinsAndWritesEvidenceOfTheTextsThatRan) {
                   .exit_code,
               2)
         << "its folder is not there";
+    EXPECT_FALSE(std::filesystem::exists(folder.path / "out"));
+    ASSERT_EQ(run("still_life", {"--exact", "-o", "made/", "--evidence", "made/e.json"}).exit_code, 0)
+        << "it is made for the pictures";
+    EXPECT_FALSE(json::parse(read_file(folder.path / "made" / "e.json"))["pictures"].empty());
     std::filesystem::create_directory(folder.path / "out");
     const RunResult result =
         run("still_life", {"--exact", "--kernels", "kernels", "-o", "out/pictures", "--evidence", "out/e.json"});

@@ -148,6 +148,15 @@ TEST_F(SyncCommand, NothingPending) {
     EXPECT_EQ(port(), kTwoPorts);
 }
 
+TEST_F(SyncCommand, WhatNeedsNoPortIsLeftAloneUnlessItIsNamed) {
+    edit_source();
+    ASSERT_EQ(porttool({"ignore", "src/k.cu:shade", "--reason", "of the device alone"}).exit_code, 0);
+    EXPECT_EQ(sync({}, 0)["proposals"].size(), 0u);
+    EXPECT_EQ(porttool({"sync", "--apply"}).exit_code, 0);
+    EXPECT_EQ(port(), kTwoPorts);
+    EXPECT_EQ(sync({"src/k.cu:shade"}, 0)["proposals"][0]["state"], "proposed");
+}
+
 TEST_F(SyncCommand, PatchesApplyOneAfterAnother) {
     edit_source();
     edit("src/k.cu", "d * 3.0f", "d * 4.0f");
