@@ -26,7 +26,7 @@ keep_files_in_memory() {
     local room folder
     room=$(df --output=avail -BM /dev/shm 2>/dev/null | tr -dc 0-9) || return 0
     [ "${room:-0}" -ge 1024 ] || return 0
-    folder=$(mktemp -d /dev/shm/porttool.XXXXXX)
+    folder=$(mktemp -d /dev/shm/t.XXXXXX)
     trap "rm -rf '$folder'" EXIT
     cp "$(type -P true)" "$folder/true"
     if "$folder/true" 2>/dev/null; then export TMPDIR=$folder; fi

@@ -141,9 +141,10 @@ Status check_questions(const Options& options) {
         return Status::invalid("--locate follows the same paths on both cores; leave --seed-target out");
     if (options.bias && options.spp.size() > 1)
         return Status::invalid("--bias takes one count of samples; give one in --spp");
-    const bool is_beside_pictures = !options.output.empty() && folder_of(options.evidence) == whole(options.output);
+    if (options.evidence.empty()) return Status::success();
     // The folder of the pictures is made with them.
-    return options.evidence.empty() || is_beside_pictures ? Status::success() : check_writable(options.evidence);
+    const bool is_beside_pictures = !options.output.empty() && folder_of(options.evidence) == whole(options.output);
+    return is_beside_pictures ? Status::success() : check_writable(options.evidence);
 }
 
 Status check_compare(const Options& options, Console& console) {

@@ -42,7 +42,7 @@ EditComparison compare_as_named(const PairTexts& texts, const Dialect& dialect, 
     if (out.equivalent) return out;
     const bool alike = same_words(source, target);
     if (!alike) out.differences = missing_statements(source, target);
-    if (out.differences.empty() && !(alike && replaced_in_place(source, target))) {
+    if (out.differences.empty()) {
         PositionDifferences positions = other_positions(source, target);
         out.differences = std::move(positions.sentences);
         out.displaced = positions.is_sure;

@@ -3,6 +3,7 @@
 #include "porttool/compare/half_port.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -57,27 +58,18 @@ struct Outline {
         }
     }
 
-    /// Which parts the names of two statements that are alike but for them stand for; none if they are not alike.
-    struct Siblings {
-        std::optional<PartNames> parts;  ///< none if only the subscripts differ
-        bool operator==(const Siblings&) const = default;
-    };
-
-    std::optional<Siblings> siblings(const Outline& other) const {
-        if (words.size() != other.words.size()) return {};
+    /// True if it says of one part what the other says of another.
+    bool is_sibling(const Outline& other) const {
+        if (words.size() != other.words.size()) return false;
         std::optional<PartNames> parts;
         for (size_t i = 0; i < words.size(); ++i) {
             if (words[i] == other.words[i]) continue;
             const auto found = parts_of_names(words[i], other.words[i]);
-            if (!found || (parts && *parts != *found)) return {};
+            if (!found || (parts && *parts != *found)) return false;
             parts = found;
         }
-        if (!parts && subscripts == other.subscripts) return {};
-        return Siblings{parts};
+        return parts || subscripts != other.subscripts;
     }
-
-    /// True if it says of one part what the other says of another.
-    bool is_sibling(const Outline& other) const { return siblings(other).has_value(); }
 
     /// True if it names a part itself, whichever it is.
     bool names_a_part() const {
@@ -145,8 +137,7 @@ private:
     /// Where an earlier statement that went is a sibling of the k-th, and what came for both are siblings alike.
     void take_back(size_t k) {
         for (size_t first = 0; first < k; ++first) {
-            const auto went = lost_[first].siblings(lost_[k]), came = gained_[first].siblings(gained_[k]);
-            if (!went || !came || *went != *came) continue;
+            if (!lost_[first].is_sibling(lost_[k]) || !follows(first, k)) continue;
             const std::vector<std::string>& new_words = edit_.now[edit_.gained[k]].common;
             const std::vector<std::string>& old_words = edit_.before[edit_.lost[k]].common;
             const auto at = std::search(now_.begin(), now_.end(), new_words.begin(), new_words.end());
@@ -157,6 +148,25 @@ private:
             any_ = true;
             return;
         }
+    }
+
+    /// True if what came for the k-th is what came for the first, with each word that stood for the first's part in the
+    /// words of the k-th, and with the subscripts that each had.
+    bool follows(size_t first, size_t k) const {
+        if (gained_[first].subscripts != lost_[first].subscripts || gained_[k].subscripts != lost_[k].subscripts ||
+            gained_[first].words.size() != gained_[k].words.size())
+            return false;
+        std::map<std::string_view, std::string_view> stands_for;
+        for (size_t i = 0; i < lost_[k].words.size(); ++i) {
+            const auto known = stands_for.emplace(lost_[first].words[i], lost_[k].words[i]);
+            if (known.first->second != lost_[k].words[i]) return false;
+        }
+        for (size_t i = 0; i < gained_[k].words.size(); ++i) {
+            const auto found = stands_for.find(gained_[first].words[i]);
+            if ((found == stands_for.end() ? gained_[first].words[i] : found->second) != gained_[k].words[i])
+                return false;
+        }
+        return true;
     }
 
     const StatementEdit& edit_;

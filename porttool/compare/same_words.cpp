@@ -117,14 +117,6 @@ public:
         return before_there && before_there == before_here;
     }
 
-    /// The same, where no other one is as much alike, either.
-    bool are_alone(size_t source, size_t target) {
-        const Numbers &here = here_[source], &there = there_[target];
-        double found = 0;
-        return are(source, target) && compare(here, there, found) && as_like(here, there_, found) == 1 &&
-               as_like(there, here_, found) == 1;
-    }
-
 private:
     bool compare(const Numbers& a, const Numbers& b, double& found) {
         constexpr size_t kMostCells = 200'000'000;  // beyond, a person is asked
@@ -142,17 +134,6 @@ private:
             double found = 0;
             if (!compare(statement, others[i], found) || found > than) return {};
             out += i < at && found == than && others[i].size() == others[at].size() ? 1 : 0;
-        }
-        return out;
-    }
-
-    /// How many of the others are as much alike; none if there is no time to compare them.
-    size_t as_like(const Numbers& statement, const std::vector<Numbers>& others, double as) {
-        size_t out = 0;
-        for (const Numbers& one : others) {
-            double found = 0;
-            if (!compare(statement, one, found)) return 0;
-            out += found >= as ? 1 : 0;
         }
         return out;
     }
@@ -373,17 +354,6 @@ std::string closest_difference(const StatementEdit& source, const StatementEdit&
     return out;
 }
 
-/// True if a statement's edit puts words in the place of others, and leaves as many of these as the other side's does:
-/// of two components one may have been left out.
-bool leave_as_many(const StatementEdit& source, const StatementEdit& target, size_t k) {
-    const std::vector<std::string>&here = source.before[source.lost[k]].common,
-          &here_now = source.now[source.gained[k]].common, &there_now = target.now[target.gained[k]].common;
-    const std::vector<Hunk> edits = hunks(here, here_now);
-    return std::all_of(edits.begin(), edits.end(), [&](const Hunk& edit) {
-        return !edit.lost.empty() && occurrences(edit.lost, here_now) == occurrences(edit.lost, there_now);
-    });
-}
-
 }  // namespace
 
 bool same_words(const StatementEdit& source, const StatementEdit& target) {
@@ -392,22 +362,6 @@ bool same_words(const StatementEdit& source, const StatementEdit& target) {
         chosen_keys(source.before, source.lost) == chosen_keys(target.before, target.lost))
         return true;
     return same_statements(source, target) && same_hunks(source, target);
-}
-
-bool replaced_in_place(const StatementEdit& source, const StatementEdit& target) {
-    constexpr size_t kMostComparisons = 100'000;
-    if (source.lost.empty() || source.lost.size() != target.lost.size() || source.lost != source.gained ||
-        target.lost != target.gained ||
-        source.lost.size() * (source.before.size() + target.before.size()) > kMostComparisons)
-        return false;
-    MostAlike most(source.before, target.before);
-    for (size_t k = 0; k < source.lost.size(); ++k) {
-        const bool braces = source.before[source.lost[k]].is_brace() || source.now[source.gained[k]].is_brace() ||
-                            target.before[target.lost[k]].is_brace() || target.now[target.gained[k]].is_brace();
-        if (braces || !most.are_alone(source.lost[k], target.lost[k]) || !leave_as_many(source, target, k))
-            return false;
-    }
-    return true;
 }
 
 bool same_replacements(const StatementEdit& source, const StatementEdit& target) {

@@ -20,14 +20,6 @@ namespace porttool {
 /// source's than the one that was edited, and of those that are as like it must stand as many before.
 bool same_words(const StatementEdit& source, const StatementEdit& target);
 
-/// True if each edit put statements in the place of others where these stood, and those stand for each other beyond
-/// doubt: none in either old text is as much like the other side's, and of the words that went both have as many left.
-/// Two such edits are at the same place, whatever stands around them.
-///
-///     for (int c = threadIdx.x; c < n; c += blockDim.x) s += f(x[c], m[r]);       source
-///     for (int c = 0; c < n; ++c) sum += f(x[c], m);                              port
-bool replaced_in_place(const StatementEdit& source, const StatementEdit& target);
-
 /// Sentences: which statements one side lost or gained and the other did not, and of one that only moved in which
 /// block.
 std::vector<std::string> missing_statements(const StatementEdit& source, const StatementEdit& target);

@@ -108,13 +108,12 @@ TEST(OwnMap, AnEditOfTheHostOrOfTheWideTraceAloneIsDrift) {
     struct Row {
         const char *file, *from, *to, *source;
     };
-    for (const Row& row :
-         {Row{"source_core/wavefront.cpp", "pass.first_pixel = batch.first_pixel;", "pass.first_pixel = 0;",
-              "source_core/wavefront.cpp:source_core::Wavefront::pass_of"},
-          Row{"source_core/render_core.cpp", "frame.seed = settings().seed;", "frame.seed = 0;",
-              "source_core/render_core.cpp:source_core::SourceCore::frame_settings"},
-          Row{"target_core/device/wide_trace.h", "return end < 0.0f;", "return end > 0.0f;",
-              "source_core/kernels/trace.glsl:trace_any"}}) {
+    for (const Row& row : {Row{"source_core/wavefront.cpp", "pass.first_pixel = batch.first_pixel;",
+                               "pass.first_pixel = 0;", "source_core/wavefront.cpp:source_core::Wavefront::pass_of"},
+                           Row{"source_core/render_core.cpp", "frame.seed = settings().seed;", "frame.seed = 0;",
+                               "source_core/render_core.cpp:source_core::SourceCore::frame_settings"},
+                           Row{"target_core/device/wide_trace.h", "return end < 0.0f;", "return end > 0.0f;",
+                               "source_core/kernels/trace.glsl:trace_any"}}) {
         MemoryDisk disk = own_repository();
         std::string& text = disk.files.at(std::string("/r/") + row.file);
         ASSERT_NE(text.find(row.from), std::string::npos) << row.file;

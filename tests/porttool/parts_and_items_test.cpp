@@ -154,6 +154,12 @@ TEST(PartsAndItems, AVectorHeldAgainstItsParts) {
          {"both, in each other's place",
           {whole, {"qx * 2.0f;\n        out[2 * i + 1] = qy * 2.0f", "qy * 4.0f;\n        out[2 * i + 1] = qx * 4.0f"}},
           false},
+         {"both from the first",
+          {whole, {"qx * 2.0f;\n        out[2 * i + 1] = qy * 2.0f", "qx * 4.0f;\n        out[2 * i + 1] = qx * 4.0f"}},
+          false},
+         {"both into one place",
+          {whole, {"qx * 2.0f;\n        out[2 * i + 1] = qy * 2.0f", "qx * 4.0f;\n        out[2 * i] = qy * 4.0f"}},
+          false},
          {"a sign, one part", {{"k - 0.5f", "k + 0.5f"}, {"a[2 * i] * k - ", "a[2 * i] * k + "}}, false},
          {"a sign, both", {{"k - 0.5f", "k + 0.5f"}, {" * k - ", " * k + "}}, true}});
 }

@@ -410,7 +410,7 @@ TEST(QuietGate, ScopesOfOtherThings) {
     for (const std::string with : {"std::sqrt", "sycl::pow", "metal::sin", "cl::sycl::exp"})
         both_ways("", with, with.substr(with.rfind(':') + 1), none);
     for (const std::string with : {"native::sin", "half_precision::sqrt", "precise::divide", "metal::fast::exp",
-                                    "sycl::native::exp", "sycl::half_precision::exp"}) {
+                                   "sycl::native::exp", "sycl::half_precision::exp"}) {
         both_ways("", with, with.substr(with.rfind(':') + 1), raised);
         both_ways("using namespace metal; using namespace native;\n", with, with.substr(with.rfind(':') + 1), raised);
     }

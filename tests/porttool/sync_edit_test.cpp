@@ -1265,9 +1265,13 @@ TEST(SyncEdit, AStatementMayStandElsewhereInThePort) {
         "int run(int n) {\n  int total = 0;\n  prepare(n);\n  launch(n);\n  collect(n);\n  return total;\n}\n";
     const std::string port =
         "int run(int n) {\n  prepare(n);\n  launch(n);\n  collect(n);\n  int total = 0;\n  return total;\n}\n";
-    // It stood there when the pair was in step, and each side has one alone that is like it.
+    // check asks about the other place, so that a person looks.
     const std::string seven = replaced(source, "total = 0", "total = 7");
-    expect_ported({"k.c", "l.c", source, seven, port, replaced(port, "total = 0", "total = 7")});
+    const Synced got = synced({"k.c", "l.c", source, seven, port, ""});
+    const std::string patch = got.proposal["patch"].is_string() ? got.proposal["patch"] : "";
+    EXPECT_NE(patch.find("-  int total = 0;\n+  int total = 7;\n"), std::string::npos) << got.why();
+    EXPECT_EQ(got.proposal["left"][0]["source_line"], 2) << got.why();
+    EXPECT_EQ(got.proposal["left"][0]["target_line"], 5) << got.why();
     // Of two that say the same neither is it.
     const std::string twice = replaced(port, "  launch(n);\n", "  launch(n);\n  int total = 0;\n");
     expect_left({"k.c", "l.c", source, seven, twice, ""});
