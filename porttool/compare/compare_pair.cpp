@@ -162,18 +162,21 @@ private:
 
     /// True if the edits are one where the side that loops over items goes on with the next one as the other returns.
     bool alike_in_ends_of_items(const PairTexts& texts, const BySide<Language>& languages) const {
-        if (loops_of(texts.source_before) == loops_of(texts.target_before)) return false;
-        const bool source_loops = loops_of(texts.source_before) > loops_of(texts.target_before);
-        const auto before = with_returns_for_items(source_loops ? texts.source_before : texts.target_before),
-                   now = with_returns_for_items(source_loops ? texts.source_now : texts.target_now);
-        const Words said_before(before.begin(), before.end()), said_now(now.begin(), now.end());
-        const Words &loops_before = source_loops ? texts.source_before : texts.target_before,
-                    &loops_now = source_loops ? texts.source_now : texts.target_now;
-        if (said_before == loops_before && said_now == loops_now) return false;
-        const PairTexts plain{
-            source_loops ? said_before : texts.source_before, source_loops ? said_now : texts.source_now,
-            source_loops ? texts.target_before : said_before, source_loops ? texts.target_now : said_now};
-        return compare_edits(plain, dialect_, languages).equivalent || alike_in_words_of_pair(plain, languages);
+        const size_t here = loops_of(texts.source_before), there = loops_of(texts.target_before);
+        if (here == there) return false;
+        const bool in_source = here > there;
+        const Words &before = in_source ? texts.source_before : texts.target_before,
+                    &now = in_source ? texts.source_now : texts.target_now;
+        const Text said_before = with_returns_for_items(before), said_now = with_returns_for_items(now);
+        const Words old_text(said_before.begin(), said_before.end()), new_text(said_now.begin(), said_now.end());
+        if (old_text == before && new_text == now) return false;
+        return in_source ? are_alike({old_text, new_text, texts.target_before, texts.target_now}, languages)
+                         : are_alike({texts.source_before, texts.source_now, old_text, new_text}, languages);
+    }
+
+    /// True if the edits are one as they are written, or in the words of the pair.
+    bool are_alike(const PairTexts& texts, const BySide<Language>& languages) const {
+        return compare_edits(texts, dialect_, languages).equivalent || alike_in_words_of_pair(texts, languages);
     }
 
     /// True if one side says part by part, each part alike, what the other says of all parts at once.
@@ -182,8 +185,7 @@ private:
         if (!one.any) return false;
         const Words source_now(one.source_now.begin(), one.source_now.end()),
             target_now(one.target_now.begin(), one.target_now.end());
-        const PairTexts plain{texts.source_before, source_now, texts.target_before, target_now};
-        return compare_edits(plain, dialect_, languages).equivalent || alike_in_words_of_pair(plain, languages);
+        return are_alike({texts.source_before, source_now, texts.target_before, target_now}, languages);
     }
 
     bool alike_without_order_of_cases(const PairTexts& texts, const BySide<Language>& languages) const {

@@ -18,9 +18,6 @@ namespace {
 
 constexpr std::string_view kParts[] = {"xyzw", "rgba", "0123"};
 
-/// Which part of a vector a letter stands for in one manner of naming them.
-size_t part_of(std::string_view manner, char letter) { return manner.find(letter); }
-
 /// Two names of different parts, and which parts.
 struct PartNames {
     size_t here, there;
@@ -33,7 +30,7 @@ std::optional<PartNames> parts_of_names(std::string_view here, std::string_view 
     const size_t last = here.size() - 1;
     const auto letters_at = [&](size_t at) -> std::optional<PartNames> {
         for (const std::string_view manner : kParts) {
-            const PartNames found{part_of(manner, here[at]), part_of(manner, there[at])};
+            const PartNames found{manner.find(here[at]), manner.find(there[at])};
             if (found.here != std::string_view::npos && found.there != std::string_view::npos &&
                 found.here != found.there)
                 return found;

@@ -82,13 +82,14 @@ private:
 
 bool ends_all(const Words& text, size_t i) { return text[i] == "return" && i + 1 < text.size() && text[i + 1] == ";"; }
 
-}  // namespace
-
+/// How often a text leaves a loop by a `return` without a value.
 size_t times_returning_from_loops(const Words& text) {
     size_t out = 0;
     LoopWalk(text).run([&](size_t i, size_t depth) { out += depth > 0 && ends_all(text, i) ? 1 : 0; });
     return out;
 }
+
+}  // namespace
 
 std::vector<std::string> with_returns_for_items(const Words& text) {
     std::vector<std::string> out;

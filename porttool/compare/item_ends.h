@@ -18,11 +18,8 @@ namespace porttool {
 ///     if (v < 0) return;                      if (v < 0) continue;                  `return`
 ///                                             if (v < 0) return;                    the mark of leaving a loop
 ///
-/// How often a text leaves a loop by a `return` without a value. Bodies of lambdas are functions of their own.
-size_t times_returning_from_loops(const Words& text);
-
 /// The text with `return` for each `continue` of an outermost loop, and with a mark that nothing else has for each
-/// `return` without a value in a loop.
+/// `return` without a value in a loop. Bodies of lambdas are functions of their own.
 std::vector<std::string> with_returns_for_items(const Words& text);
 
 /// How many loops a text has.

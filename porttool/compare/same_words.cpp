@@ -112,9 +112,8 @@ public:
         if (here == there) return true;
         double found = 0;
         if (!compare(here, there, found)) return false;
-        const auto before_there = alike_before(here, there_, target, found),
-                   before_here = alike_before(there, here_, source, found);
-        return before_there && before_there == before_here;
+        const auto before_there = alike_before(here, there_, target, found);
+        return before_there && before_there == alike_before(there, here_, source, found);
     }
 
 private:
