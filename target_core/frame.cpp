@@ -129,21 +129,12 @@ void gather_sample(const KernelTable& kernels, Tile& tile) {
     kernels.filter();
 }
 
-// Has the system make a tile's share of memory that kernels will write to: by then they would wait for it. Where it
-// cannot, they do.
-void make_memory(std::span<std::byte> memory, const Frame& frame, uint first_pixel, uint path_count) {
-    constexpr size_t PAGE = 4096;
-    const size_t a_pixel = memory.size() / frame.pixel_count + 1;
-    const auto page_of = [&](size_t pixel) { return std::min(pixel * a_pixel, memory.size()) / PAGE * PAGE; };
-    const size_t first = page_of(first_pixel), end = page_of(size_t{first_pixel} + path_count);
-    if (first < end) madvise(memory.data() + first, end - first, MADV_POPULATE_WRITE);
-}
-
 // The last packet of lanes reads beyond the last pixel.
 void clear_guides(const Frame& frame, uint first_pixel, uint path_count) {
     const bool is_last = first_pixel + path_count == frame.first_pixel + frame.pixel_count;
     const size_t pixels = path_count + (is_last ? SPARE_ROWS : 0);
-    std::fill_n(bound.guides + size_t{first_pixel} * frame.guide_rows, pixels * frame.guide_rows, vec4(0.0f));
+    const size_t a_pixel = size_t{4} * frame.guide_rows;
+    std::fill_n(bound.guides + first_pixel * a_pixel, pixels * a_pixel, 0.0f);
 }
 
 void take_picture(const render_system::CoreFilter& filter, uint first, uint end) {
@@ -184,8 +175,6 @@ void render_tile(const Frame& frame, uint first_pixel, uint path_count, Worker& 
     pass.path_count = path_count;
     if (frame.guide_rows > 0) {
         clear_guides(frame, first_pixel, path_count);
-        make_memory(frame.untouched_picture, frame, first_pixel, path_count);
-        make_memory(frame.untouched_planes, frame, first_pixel, path_count);
     }
     for (uint i = 0; i < frame.sample_count; ++i) {
         if (frame.is_called_off()) {
@@ -372,6 +361,14 @@ std::vector<uint> pixels_behind(std::span<const FilterStage> stages, uint width)
 }
 
 }  // namespace
+
+void make_memory(std::span<std::byte> memory) {
+    constexpr size_t PART = size_t{2} << 20;  // a large page
+    for_each_tile(static_cast<uint>((memory.size() + PART - 1) / PART), [&](uint part) {
+        const std::span<std::byte> rest = memory.subspan(part * PART);
+        madvise(rest.data(), std::min(rest.size(), PART), MADV_POPULATE_WRITE);
+    });
+}
 
 size_t filter_margin(uint width) {
     const size_t reach = size_t{std::end(FILTER_STEPS)[-1]} * (width + 1) + SPARE_ROWS;

@@ -46,11 +46,9 @@ struct Frame {
     uint pixel_count = 0;
     std::span<render_system::PixelSum> sums;  // or where samples go in place of `pixels`, one for each pixel rendered
     std::span<double> squares;
-    bool guides = false;                     // the first segments of paths, for the guides of a filter
-    uint guide_rows = 0;                     // of a pixel, cleared before the first of them; 0: some are there
-    uint rays_of_all = 0;                    // so many of them in every pixel, then where more are wanted
-    std::span<std::byte> untouched_picture;  // zeros, where there are new ones for the filter; made with the guides
-    std::span<std::byte> untouched_planes;
+    bool guides = false;   // the first segments of paths, for the guides of a filter
+    uint guide_rows = 0;   // of a pixel, cleared before the first of them; 0: some are there
+    uint rays_of_all = 0;  // so many of them in every pixel, then where more are wanted
     const render_system::CoreFilter* divides = nullptr;  // after them FILTER_DIVIDE of this picture: they were the rays
                                                          // of its samples
     bool prepares = false;                               // after them FILTER_PREPARE: these were the last
@@ -73,6 +71,10 @@ private:
     struct Threads;
     std::unique_ptr<Threads> threads_;
 };
+
+/// Has the system make memory, which begins where a page does, on all threads of the current task arena: those that
+/// write to it first would wait for it. Where it cannot, they do.
+void make_memory(std::span<std::byte> memory);
 
 /// How far planes go on before and behind a picture so wide: what taps read there is zero.
 size_t filter_margin(uint width);

@@ -103,7 +103,7 @@ private:
     std::optional<tbb::global_control> parallelism_;
     std::optional<tbb::task_arena> arena_;
     std::vector<vec4> accumulator_;  // sums of all samples
-    UntouchedRows<vec4> guides_;     // these three: none until a filter is asked for
+    UntouchedRows<float> guides_;    // these three: none until a filter is asked for
     UntouchedRows<vec4> filter_picture_;
     UntouchedRows<float> planes_;
     std::span<std::byte> untouched_picture_;  // of these, what is new for the filter at work
@@ -387,7 +387,12 @@ void TargetCore::gather_guides(Frame& frame, uint first_sample, uint samples) {
     frame.first_sample = first_sample;
     frame.sample_count = samples;
     FrameStats gathered;
-    arena_->execute([&] { gathered = render_frame(frame, workers_, nullptr); });
+    arena_->execute([&] {
+        // Tiles write all over it as soon as the first one is done.
+        make_memory(std::exchange(untouched_picture_, {}));
+        make_memory(std::exchange(untouched_planes_, {}));
+        gathered = render_frame(frame, workers_, nullptr);
+    });
     stats().guide_ms += milliseconds_since(start) - gathered.filter_ms / stats().threads;
 }
 
@@ -396,7 +401,7 @@ void TargetCore::make_filter(const CoreFilter& filter) {
     const bool with_history = filter.history != FilterHistory::none;
     const size_t pixels = filter.means.size();
     // The last packet of lanes reads beyond the last pixel, and what is beside the first and the last ones is no pixel.
-    guides_.ensure((pixels + SPARE_ROWS) * guide_rows(filter));
+    guides_.ensure((pixels + SPARE_ROWS) * guide_rows(filter) * 4);
     untouched_picture_ = filter_picture_.ensure(pixels + SPARE_ROWS);
     const size_t margin = filter_margin(target().width);
     if (margin != plane_margin_) give_back(planes_);
@@ -443,8 +448,6 @@ Status TargetCore::filter(const ViewPyramid& view, const CoreFilter& filter, Cal
     frame.call_off = &call_off;
     frame.guides = true;
     frame.guide_rows = guide_rows(filter);
-    frame.untouched_picture = untouched_picture_;
-    frame.untouched_planes = untouched_planes_;
     frame.divides = &filter;
     frame.prepares = rays <= own;
     stats().guide_ms = 0.0;

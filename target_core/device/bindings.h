@@ -31,7 +31,7 @@ struct Bindings {
     const InstanceGeometry* geometry = nullptr;
     RTCScene scene = nullptr;
     vec4* accumulator = nullptr;
-    vec4* guides = nullptr;  // these three: only for a filter
+    float* guides = nullptr;  // in blocks (lanes.h); these three: only for a filter
     vec4* filter_picture = nullptr;
     float* planes = nullptr;        // where the first one's first pixel is; before and behind each are zeros
     size_t plane_stride = 0;        // from one plane to the next

@@ -116,12 +116,34 @@ inline Int pixel_column(Pixels pixels, Int row, uint width) {
 inline Float gather_plane(const float* plane, Pixels pixels) { return plane[static_cast<Int>(pixels)]; }
 inline void scatter_plane(float* plane, Pixels pixels, Float value) { plane[pixels] = value; }
 template <class Row>
-inline Row gather_pixels(const Row* rows, Pixels pixels, uint stride) {
-    return rows[size_t{pixels} * stride];
+inline Row gather_pixels(const Row* rows, Pixels pixels) {
+    return rows[pixels];
 }
 template <class Row>
 inline void scatter_pixels(Row* rows, Pixels pixels, Row row) {
     rows[pixels] = row;
+}
+
+// Rows of pixels in blocks: of TILE_GRAIN pixels that follow each other every component of every row is kept together,
+// so that wide lanes read and write a component as a whole.
+inline float* block_row(float* blocks, uint pixel, uint row, uint rows) {
+    return blocks + (size_t{pixel / TILE_GRAIN} * rows + row) * (4 * TILE_GRAIN) + pixel % TILE_GRAIN;
+}
+inline vec4 gather_block_rows(float* blocks, Uint pixel, Uint row, uint rows) {
+    const float* first = block_row(blocks, pixel, row, rows);
+    return {first[0], first[TILE_GRAIN], first[2 * TILE_GRAIN], first[3 * TILE_GRAIN]};
+}
+inline vec4 gather_blocks(float* blocks, Pixels pixels, uint row, uint rows) {
+    return gather_block_rows(blocks, pixels, row, rows);
+}
+inline void add_to_block_rows(float* blocks, Uint pixel, Uint row, uint rows, vec4 more, Mask where) {
+    if (where) {
+        float* first = block_row(blocks, pixel, row, rows);
+        first[0] += more.x;
+        first[TILE_GRAIN] += more.y;
+        first[2 * TILE_GRAIN] += more.z;
+        first[3 * TILE_GRAIN] += more.w;
+    }
 }
 
 // Rows of a tile by job.

@@ -271,11 +271,11 @@ inline void scatter_plane(float* plane, const Pixels& pixels, Float value) {
     }
 }
 
-// Rows of pixels that follow each other, `stride` from one to the next.
-inline vec4 gather_pixels(const target_core::vec4* rows, const Pixels& pixels, uint stride) {
-    const float* first = &rows[size_t{uint(pixels.first)} * stride].x;
+// Rows of pixels that follow each other.
+inline vec4 gather_pixels(const target_core::vec4* rows, const Pixels& pixels) {
+    const float* first = &rows[pixels.first].x;
     vec4 row;
-    load_rows([&](uint lane) { return first + size_t{4} * stride * lane; }, row.x.v, row.y.v, row.z.v, row.w.v);
+    load_rows([&](uint lane) { return first + size_t{4} * lane; }, row.x.v, row.y.v, row.z.v, row.w.v);
     return row;
 }
 
@@ -288,6 +288,69 @@ inline void scatter_pixels(target_core::vec4* rows, const Pixels& pixels, const 
     for (uint left = active_lanes; left != 0; left &= left - 1) {
         const int lane = std::countr_zero(left);
         rows[pixels.first + lane] = {row.x.v[lane], row.y.v[lane], row.z.v[lane], row.w.v[lane]};
+    }
+}
+
+// Rows of pixels in blocks: of TILE_GRAIN pixels that follow each other every component of every row is kept together.
+// Pixels in order begin where LANES of a block do.
+inline float* block_row(float* blocks, uint pixel, uint row, uint rows) {
+    return blocks + (size_t{pixel / TILE_GRAIN} * rows + row) * (4 * TILE_GRAIN) + pixel % TILE_GRAIN;
+}
+
+inline vec4 gather_blocks(float* blocks, const Pixels& pixels, uint row, uint rows) {
+    const float* first = block_row(blocks, uint(pixels.first), row, rows);
+    vec4 found;
+    __builtin_memcpy(&found.x.v, first, sizeof(found.x.v));
+    __builtin_memcpy(&found.y.v, first + TILE_GRAIN, sizeof(found.y.v));
+    __builtin_memcpy(&found.z.v, first + 2 * TILE_GRAIN, sizeof(found.z.v));
+    __builtin_memcpy(&found.w.v, first + 3 * TILE_GRAIN, sizeof(found.w.v));
+    return found;
+}
+
+/// Whether lanes have LANES pixels of one block, in order, and one row.
+inline bool is_of_one_block(Uint pixel, Uint row) {
+    const uint first = pixel.v[0];
+    return first % LANES == 0 && !any_lane(pixel != lane_numbers() + first || row != Uint(row.v[0]));
+}
+
+inline vec4 gather_block_rows(float* blocks, Uint pixel, Uint row, uint rows) {
+    if (is_of_one_block(pixel, row)) {
+        return gather_blocks(blocks, pixels_in_order(pixel), row.v[0], rows);
+    }
+    const LaneWords pixels(pixel), lane_rows(row);
+    alignas(64) float words[4][LANES];
+    for (uint lane = 0; lane < LANES; ++lane) {
+        const float* first = block_row(blocks, pixels[lane], lane_rows[lane], rows);
+        for (uint i = 0; i < 4; ++i) words[i][lane] = first[i * TILE_GRAIN];
+    }
+    vec4 found;
+    __builtin_memcpy(&found.x.v, words[0], sizeof(words[0]));
+    __builtin_memcpy(&found.y.v, words[1], sizeof(words[1]));
+    __builtin_memcpy(&found.z.v, words[2], sizeof(words[2]));
+    __builtin_memcpy(&found.w.v, words[3], sizeof(words[3]));
+    return found;
+}
+
+inline void add_to_block_rows(float* blocks, Uint pixel, Uint row, uint rows, const vec4& more, Mask where) {
+    const uint set = mask_bits(where.v) & active_lanes;
+    const FloatLanes* components[] = {&more.x.v, &more.y.v, &more.z.v, &more.w.v};
+    if (set == ALL_LANES && is_of_one_block(pixel, row)) {
+        float* first = block_row(blocks, pixel.v[0], row.v[0], rows);
+        for (uint i = 0; i < 4; ++i) {
+            FloatLanes sum;
+            __builtin_memcpy(&sum, first + i * TILE_GRAIN, sizeof(sum));
+            sum += *components[i];
+            __builtin_memcpy(first + i * TILE_GRAIN, &sum, sizeof(sum));
+        }
+        return;
+    }
+    const LaneWords pixels(pixel), lane_rows(row);
+    alignas(64) float words[4][LANES];
+    for (uint i = 0; i < 4; ++i) __builtin_memcpy(words[i], components[i], sizeof(words[i]));
+    for (uint left = set; left != 0; left &= left - 1) {
+        const uint lane = static_cast<uint>(std::countr_zero(left));
+        float* first = block_row(blocks, pixels[lane], lane_rows[lane], rows);
+        for (uint i = 0; i < 4; ++i) first[i * TILE_GRAIN] += words[i][lane];
     }
 }
 

@@ -92,16 +92,15 @@ inline void store_target(Uint pixel, vec4 mean) {
 
 inline uint guide_rows() { return settings.frame == 0u ? GUIDE_ROWS : GUIDE_ROWS + GUIDE_MOTION_ROWS; }
 
-inline vec4 load_guide(Uint pixel, Uint row) { return gather(bound.guides, pixel * guide_rows() + row); }
+inline vec4 load_guide(Uint pixel, Uint row) { return gather_block_rows(bound.guides, pixel, row, guide_rows()); }
 
-inline vec4 load_guides(Pixels pixels, uint row) { return gather_pixels(bound.guides + row, pixels, guide_rows()); }
+inline vec4 load_guides(Pixels pixels, uint row) { return gather_blocks(bound.guides, pixels, row, guide_rows()); }
 
 inline void add_to_guide(Uint pixel, Uint row, vec4 more, Mask where) {
-    Uint place = pixel * guide_rows() + row;
-    scatter(bound.guides, place, gather(bound.guides, place) + more, where);
+    add_to_block_rows(bound.guides, pixel, row, guide_rows(), more, where);
 }
 
-inline vec4 load_filter_picture(Pixels pixels) { return gather_pixels(bound.filter_picture, pixels, 1u); }
+inline vec4 load_filter_picture(Pixels pixels) { return gather_pixels(bound.filter_picture, pixels); }
 inline void store_filter_picture(Pixels pixels, vec4 row) { scatter_pixels(bound.filter_picture, pixels, row); }
 
 inline vec4 fetch_motions(Rows first, uint offset) { return gather_shared(bound.motions, first, offset); }
