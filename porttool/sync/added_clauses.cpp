@@ -9,6 +9,7 @@
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/sync/operands.h"
+#include "porttool/sync/port_manner.h"
 
 namespace porttool {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 class ClauseAdder : EditReading {
 public:
     ClauseAdder(const EditReading& reading, const InsertedUses& uses, Transplant& out)
-        : EditReading(reading), uses_(uses), out_(out) {}
+        : EditReading(reading), uses_(uses), manner_(reading), out_(out) {}
 
     AddedSources run() {
         for (size_t c = 0; c < origin_.size();) {
@@ -87,10 +88,12 @@ private:
             if (const std::string name = indexed_otherwise(clause.words); !name.empty())
                 return give_up("the port has `" + name + "` with other indices");
         if (!unknown.empty()) return give_up("nothing tells how the port says " + listed(unknown));
-        for (const ClauseAdded& clause : clauses)
-            if (!moved_from(clause.source))
-                if (std::string why = uses_.doubt_before(clause.words, now(clause.source).end, *place); !why.empty())
-                    return give_up(why);
+        for (const ClauseAdded& clause : clauses) {
+            if (moved_from(clause.source)) continue;
+            if (std::string why = uses_.doubt_before(clause.words, now(clause.source).end, *place); !why.empty())
+                return give_up(why);
+            if (std::string why = manner_.doubt(clause.words, clause.source); !why.empty()) return give_up(why);
+        }
         for (size_t c = first; c < end; ++c)
             if (const auto source = moved_from(c)) sources_.moved.insert(*source);
         out_.added.push_back({*place, std::move(clauses)});
@@ -370,6 +373,7 @@ private:
     }
 
     const InsertedUses& uses_;
+    PortManner manner_;
     Transplant& out_;
     AddedSources sources_;
 };

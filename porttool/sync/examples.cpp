@@ -370,6 +370,7 @@ void Examples::note(const AlignedText& source, size_t first, size_t end, const A
     if (!is_word_token(here) || !is_word_token(said)) return;
     if (has_prefix(here) && (here == said || folded(here).substr(1) == folded(said))) prefixed_.emplace(here, said);
     if (here != said) return note_name(here, said);
+    kept_.insert(here);
     for (const std::string_view part : parts_of_name(here)) kept_parts_.emplace(part);
 }
 
@@ -383,6 +384,30 @@ void Examples::note_name(const std::string& here, const std::string& said) {
     if (same >= kShortest && same < here.size() && same < said.size())
         begins_[here.substr(0, here.size() - same)][said.substr(0, said.size() - same)].insert(here);
     note_part(here, said);
+    note_part_gained(here, said);
+}
+
+/// `blas_gpu_add` for `blas_add`: a part and what binds it, behind the first part.
+void Examples::note_part_gained(const std::string& here, const std::string& said) {
+    const std::vector<std::string_view> mine = parts_of_name(here), theirs = parts_of_name(said);
+    constexpr size_t kGained = 2;
+    if (mine.size() < 3 || theirs.size() != mine.size() + kGained || mine[1] != "_" || theirs[3] != "_") return;
+    if (!std::equal(mine.begin(), mine.begin() + kGained, theirs.begin()) ||
+        !std::equal(mine.begin() + kGained, mine.end(), theirs.begin() + 2 * kGained))
+        return;
+    const std::string begin = std::string(mine[0]) + "_";
+    gained_[begin][begin + std::string(theirs[2]) + "_"].insert(here);
+}
+
+std::optional<std::string> Examples::with_part_gained(std::string_view word) const {
+    const size_t cut = word.find('_');
+    const auto found = cut == std::string_view::npos ? gained_.end() : gained_.find(word.substr(0, cut + 1));
+    if (found == gained_.end()) return std::nullopt;
+    const auto& [said, names] = *found->second.begin();
+    const auto kept = kept_.lower_bound(found->first);
+    const bool some_stay = kept != kept_.end() && kept->starts_with(found->first);
+    if (some_stay || found->second.size() != 1 || names.size() < 2) return std::string();
+    return word.starts_with(said) ? std::string(word) : said + std::string(word.substr(cut + 1));
 }
 
 void Examples::note_part(const std::string& here, const std::string& said) {
@@ -394,7 +419,8 @@ void Examples::note_part(const std::string& here, const std::string& said) {
         if (other != mine.size()) return;
         other = i;
     }
-    if (mine[other].size() < 2 || !is_word_token(mine[other]) || !is_word_token(theirs[other])) return;
+    if (other == mine.size() || mine[other].size() < 2 || !is_word_token(mine[other]) || !is_word_token(theirs[other]))
+        return;
     parts_[std::string(mine[other])][std::string(theirs[other])].insert(here);
 }
 
@@ -418,6 +444,7 @@ std::string Examples::with_other_part(std::string_view word) const {
     std::string out;
     size_t changed = 0;
     const std::vector<std::string_view> parts = parts_of_name(word);
+    const size_t fewest = parts.size() > 2 ? 2 : 3;  // of a short name the part is much
     for (const std::string_view part : parts) {
         const auto found = parts_.find(part);
         if (found == parts_.end()) {
@@ -425,11 +452,11 @@ std::string Examples::with_other_part(std::string_view word) const {
             continue;
         }
         const auto& [said, names] = *found->second.begin();
-        if (found->second.size() != 1 || names.size() < 2 || kept_parts_.contains(part)) return {};
+        if (found->second.size() != 1 || names.size() < fewest || kept_parts_.contains(part)) return {};
         out += said;
         ++changed;
     }
-    return changed == 1 && parts.size() > 2 ? out : std::string();
+    return changed == 1 && parts.size() > 1 ? out : std::string();
 }
 
 std::string Examples::renamed(std::string_view word) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -37,6 +38,9 @@ public:
     /// `b ( job ) ;` and `c ( job ) ;` are `each < a > ( n ) ;` and so on, `d ( job ) ;` is `each < d > ( n ) ;`.
     void learn_patterns(const AlignedText& source, const AlignedText& target, const Alignment& alignment);
 
+    /// Takes what a unit and its port are called: names that tell of their parts as all others do.
+    void learn_name(const std::string& source, const std::string& target) { note_part(source, target); }
+
     /// Such a statement as the target says it.
     struct Pattern {
         size_t name = 0;                  ///< the word of the source that it is about
@@ -63,6 +67,10 @@ public:
     /// A name with a prefix of one letter, `m_rate`, in the manner of those that the target calls otherwise; the same
     /// where nothing tells, "" where one name alone does.
     std::string with_prefix_there(std::string_view word) const;
+    /// A name that begins as names do which have one part more there: where `blas_add` and `blas_mul` are
+    /// `blas_gpu_add` and `blas_gpu_mul`, `blas_set` is `blas_gpu_set`. "" where some have and others have not; nothing
+    /// where none has.
+    std::optional<std::string> with_part_gained(std::string_view word) const;
     /// True for a name with a part that the target calls otherwise in any name.
     bool has_other_part(std::string_view word) const;
 
@@ -71,6 +79,7 @@ private:
     void learn_statements(const AlignedText& source, const AlignedText& target, const Alignment& alignment);
     void note_name(const std::string& here, const std::string& said);
     void note_part(const std::string& here, const std::string& said);
+    void note_part_gained(const std::string& here, const std::string& said);
     void note(const AlignedText& source, size_t first, size_t end, const AlignedText& target, size_t there,
               size_t there_end);
 
@@ -85,6 +94,9 @@ private:
     std::map<std::string, std::map<std::string, std::set<std::string>>, std::less<>> begins_;
     /// Parts of names that are another one there in a name that is the same but for it; which of its names say so.
     std::map<std::string, std::map<std::string, std::set<std::string>>, std::less<>> parts_;
+    /// How names begin that have one part more there behind that, as they begin there; which of them say so.
+    std::map<std::string, std::map<std::string, std::set<std::string>>, std::less<>> gained_;
+    std::set<std::string, std::less<>> kept_;  ///< names that are the same there
     std::map<std::string, std::string, std::less<>>
         prefixed_;                                   ///< names with a prefix of one letter, as they are there
     std::set<std::string, std::less<>> kept_parts_;  ///< of names that are the same there

@@ -155,6 +155,7 @@ struct PairCarrier::Texts : Places {
     void learn() {
         examples.learn(old_text, port_text, across);
         examples.learn_patterns(old_text, port_text, across);
+        examples.learn_name(std::string(leaf_of(unit.name)), std::string(leaf_of(port.name)));
     }
 };
 
@@ -355,7 +356,10 @@ void PairCarrier::finish(const PairEdit& edit, const Texts& texts, const Transpl
         (unit == nullptr || scanned.balanced != draft.scanned.balanced || !others_stayed(draft.scanned, scanned, port)))
         return refuse("the port made of this edit could not be read back");
     if (has_stray_directive(scanned, *unit)) return refuse("a directive of the port would stand within a line");
-    for (const std::string& name : names_lost(scanned, old_words, words_of_unit(scanned, *unit).words))
+    const std::vector<std::string> new_words = words_of_unit(scanned, *unit).words;
+    for (const std::string& name : templates_without_arguments(scanned, old_words, new_words))
+        leave_where("`" + name + "`", "the port's `" + name + "` is a template, which takes arguments");
+    for (const std::string& name : names_lost(scanned, old_words, new_words))
         leave_where("`" + name + "`", "the port would use `" + name + "` where it does not declare it");
     const UnitState state = unit_state(scanned, *unit);
     const bool to_target = edit.to() == Side::Target;

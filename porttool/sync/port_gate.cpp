@@ -82,6 +82,23 @@ std::set<std::string> names_lost(const ScannedFile& file, const std::vector<std:
     return lost;
 }
 
+std::set<std::string> templates_without_arguments(const ScannedFile& file, const std::vector<std::string>& was,
+                                                  const std::vector<std::string>& is) {
+    const auto times_bare = [](const std::vector<std::string>& words, const std::string& name) {
+        size_t times = 0;
+        for (size_t i = 0; i < words.size(); ++i)
+            times += words[i] == name && (i + 1 == words.size() || words[i + 1] != "<");
+        return times;
+    };
+    std::set<std::string> out;
+    for (const Unit& unit : file.units) {
+        if (unit.kind != UnitKind::Struct || file.lexed.view(unit.tokens.first) != "template") continue;
+        std::string name(leaf_of(unit.name));
+        if (times_bare(is, name) > times_bare(was, name)) out.insert(std::move(name));
+    }
+    return out;
+}
+
 bool others_stayed(const ScannedFile& before, const ScannedFile& now, const Unit& edited_before) {
     std::map<std::string_view, std::string_view> texts;
     const auto text_of = [](const ScannedFile& file, const Unit& unit) {

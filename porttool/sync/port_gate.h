@@ -13,6 +13,10 @@
 
 namespace porttool {
 
+/// Templates of a file that are classes, and that the port comes to name without arguments more often than before.
+std::set<std::string> templates_without_arguments(const ScannedFile& file, const std::vector<std::string>& was,
+                                                  const std::vector<std::string>& is);
+
 /// What a pair would be with these texts on its sides. `before`: the texts when it was last in step.
 PairComparison compare_now(const JudgedPair& pair, const LockedPair& line, const BySide<NormalText>& before,
                            const NormalText& source, const Fingerprints& source_prints, const NormalText& target,

@@ -242,8 +242,9 @@ std::string EditTranslator::number(const std::string& written) const {
 /// A field that the source does not declare is of a type that both sides have from elsewhere.
 std::string EditTranslator::member(std::string_view text) const {
     if (is_swizzle(text) && !known_.in_file(text)) return {};
-    if (!known_.is_of_source(text)) return std::string(text);
-    return word(text, Use::Value);
+    if (known_.is_of_source(text)) return word(text, Use::Value);
+    const std::optional<std::string> said = known_.is_known_there(text) ? std::nullopt : in_other_part(text);
+    return said ? *said : std::string(text);
 }
 
 /// A type or a function, which mean the same in all files; a variable may be another one in each.
@@ -273,18 +274,27 @@ std::string EditTranslator::word(std::string_view text, Use use) const {
     if (std::string said = beside_.file().renamed(text); !said.empty()) return said;
     if (std::string said = said_in_folder(text, use); !said.empty()) return said;
     if (std::string said = known_.in_sister_runtime(text); !said.empty()) return said;
+    if (!known_.is_known_there(text))
+        if (const std::optional<std::string> said = in_other_part(text)) return *said;
     if (known_.anywhere(text)) return known_.is_known_there(text) ? std::string(text) : pair_.with_prefix_there(text);
     if (std::string said = known_.in_other_manner(text); !said.empty()) return said;
     if (use != Use::Call && known_.is_of_shared_family(text)) return std::string(text);
     return from_elsewhere(text, use);
 }
 
+std::optional<std::string> EditTranslator::in_other_part(std::string_view text) const {
+    for (const Examples* examples : {&pair_, &beside_.file()})
+        if (examples->has_other_part(text)) return examples->with_other_part(text);
+    return std::nullopt;
+}
+
 /// A name that no file of either side declares comes from a header of both: what host code calls, what is as new to the
 /// source's file there, and what the methods of one class have.
 std::string EditTranslator::from_elsewhere(std::string_view text, Use use) const {
-    for (const Examples* examples : {&pair_, &beside_.file()})
-        if (examples->has_other_part(text)) return examples->with_other_part(text);
     if (!known_.share_headers() || !is_from_elsewhere(text, text)) return {};
+    if (use == Use::Call)
+        for (const Examples* examples : {&pair_, &beside_.file()})
+            if (std::optional<std::string> said = examples->with_part_gained(text)) return *said;
     const bool both_have = (use == Use::Call && around_.on_host && known_.are_both_cpp()) || around_.is_of_one_class ||
                            (around_.on_host && around_.fresh.contains(text));
     return both_have ? pair_.with_prefix_there(text) : std::string();

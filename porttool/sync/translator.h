@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -88,6 +89,7 @@ public:
         };
         return is_theirs(was) && is_theirs(is) && (known_.are_of_one_language() || known_.is_from_elsewhere(is));
     }
+    bool is_on_host() const { return around_.on_host; }
     bool lacks_references() const { return known_.lacks_casts(); }
     /// True where the target declares `name`, and nobody `other`, not even the edit.
     bool declares_alone(std::string_view name, std::string_view other) const {
@@ -114,6 +116,9 @@ private:
     /// How the target says the word alone; "" if that is not known.
     std::string word(std::string_view text, Use use) const;
     std::string from_elsewhere(std::string_view text, Use use) const;
+    /// What the pair, else its files, tell of a name with a part that the target calls otherwise; nothing where it has
+    /// no such part.
+    std::optional<std::string> in_other_part(std::string_view text) const;
     std::string type_named(const std::string& name) const;
     std::string said_in_folder(std::string_view text, Use use) const;
     std::string number(const std::string& written) const;

@@ -10,6 +10,7 @@
 #include "porttool/sync/added_clauses.h"
 #include "porttool/sync/changed_clauses.h"
 #include "porttool/sync/edit_reading.h"
+#include "porttool/sync/old_uses.h"
 
 namespace porttool {
 namespace {
@@ -27,6 +28,7 @@ public:
         keep_blocks_around_own();
         leave_lost();
         drop_open_blocks();
+        leave_old_uses(*this, out_);
         // In the order of the source's text, whatever came upon it.
         std::stable_sort(out_.left.begin(), out_.left.end(),
                          [](const LeftOver& a, const LeftOver& b) { return a.source_word < b.source_word; });

@@ -19,6 +19,10 @@ void WordChanger::change_words(const std::vector<Hunk>& hunks, size_t was, size_
     for (const Hunk& hunk : hunks) change_run(hunk, was, there);
     if (out_.replaced.size() > made) take_spellings(hunks, spelled);
     if (out_.left.size() > left) return out_.replaced.resize(made);
+    if (const std::string why = manner_.doubt_of_calls(before(was), now(is)); !why.empty() && !hunks.empty()) {
+        out_.replaced.resize(made);
+        return leave_run(hunks.front(), target(there).first, why);
+    }
     // Where the target says the clause word for word it has to say the new one so, too.
     const Clause& other = target(there);
     if (out_.replaced.size() == made || was == 0 ||

@@ -7,6 +7,7 @@
 
 #include "porttool/sync/edit_reading.h"
 #include "porttool/sync/inserted_uses.h"
+#include "porttool/sync/port_manner.h"
 
 namespace porttool {
 
@@ -22,7 +23,7 @@ struct Hunk {
 class WordChanger : EditReading {
 public:
     WordChanger(const EditReading& reading, const InsertedUses& uses, Transplant& out)
-        : EditReading(reading), uses_(uses), out_(out) {}
+        : EditReading(reading), uses_(uses), manner_(reading), out_(out) {}
 
     std::vector<Hunk> hunks_of(const Clause& was, const Clause& is) const;
     /// A clause is changed as a whole or not at all.
@@ -90,6 +91,7 @@ private:
     void leave(std::string message, size_t source_word, size_t target_word);
 
     const InsertedUses& uses_;
+    PortManner manner_;
     Transplant& out_;
     std::vector<WordsReplaced> respelled_;
 };

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/old_uses.h"
+
+#include <algorithm>
+#include <map>
+
+#include "porttool/normal/normal_text.h"
+#include "porttool/sync/operands.h"
+
+namespace porttool {
+namespace {
+
+class OldUses : EditReading {
+public:
+    OldUses(const EditReading& reading, Transplant& out) : EditReading(reading), out_(out) {}
+
+    void leave() {
+        for (const auto& [names, times] : replaced_names()) {
+            const auto& [was, is] = names;
+            const size_t declared = declaration_now(is);
+            constexpr size_t kFewest = 2;
+            if (times < kFewest || declared == kNothing || !is_said_only_in(declared, was)) continue;
+            for (size_t i = head_end(); i < texts_.target.words.size(); ++i)
+                if (is_plain(texts_.target.words, i, was) && stays(i))
+                    out_.left.push_back({"the source says `" + is + "` for `" + was +
+                                             "` throughout; the port has it in a statement of its own",
+                                         declared, i});
+        }
+    }
+
+private:
+    using Names = std::pair<std::string, std::string>;
+
+    static bool is_plain(const std::vector<std::string>& words, size_t i, const std::string& name) {
+        return words[i] == name && (i == 0 || (!is_accessor(words[i - 1]) && words[i - 1] != "::"));
+    }
+    size_t head_end() const { return texts_.target.clauses.empty() ? 0 : target(0).end; }
+
+    /// Single names of the port that become others of the same names as on the source, and how often.
+    std::map<Names, size_t> replaced_names() const {
+        std::map<Names, size_t> out;
+        for (const WordsReplaced& one : out_.replaced) {
+            if (one.end - one.first != one.words.size()) continue;
+            for (size_t k = 0; k < one.words.size(); ++k) {
+                const std::string &was = texts_.target.words[one.first + k], &is = one.words[k].text;
+                const auto& before = texts_.before.words;
+                if (was != is && is_name(was) && is_name(is) &&
+                    std::find(before.begin(), before.end(), was) != before.end())
+                    ++out[{was, is}];
+            }
+        }
+        return out;
+    }
+
+    /// The one clause of the source's new text that declares a name which the old one had not; kNothing for none.
+    size_t declaration_now(const std::string& name) const {
+        const auto& before = texts_.before.words;
+        const auto& is = texts_.now.words;
+        if (std::find(before.begin(), before.end(), name) != before.end()) return kNothing;
+        const auto first = std::find(is.begin(), is.end(), name);
+        const auto at = static_cast<size_t>(first - is.begin());
+        return at > 0 && at + 1 < is.size() && is_word_token(is[at - 1]) && is[at + 1] == "=" ? at : kNothing;
+    }
+
+    /// True if the source's new text has a name in the clause around `word` and nowhere else behind its head.
+    bool is_said_only_in(size_t word, const std::string& name) const {
+        const auto& clauses = texts_.now.clauses;
+        const auto around = std::find_if(clauses.begin(), clauses.end(),
+                                         [&](const Clause& c) { return c.first <= word && word < c.end; });
+        if (around == clauses.end()) return false;
+        bool within = false;
+        for (size_t i = clauses.front().end; i < texts_.now.words.size(); ++i) {
+            if (!is_plain(texts_.now.words, i, name)) continue;
+            if (i < around->first || i >= around->end) return false;
+            within = true;
+        }
+        return within;
+    }
+
+    bool stays(size_t word) const {
+        const bool is_replaced = std::any_of(out_.replaced.begin(), out_.replaced.end(), [&](const WordsReplaced& one) {
+            return one.first <= word && word < one.end;
+        });
+        const bool goes = std::any_of(out_.removed.begin(), out_.removed.end(),
+                                      [&](size_t c) { return target(c).first <= word && word < target(c).end; });
+        const bool declares =
+            word > 0 && is_word_token(texts_.target.words[word - 1]) && texts_.target.words[word - 1] != "return";
+        return !is_replaced && !goes && !declares;
+    }
+
+    Transplant& out_;
+};
+
+}  // namespace
+
+void leave_old_uses(const EditReading& reading, Transplant& out) { OldUses(reading, out).leave(); }
+
+}  // namespace porttool
