@@ -124,6 +124,42 @@ std::set<size_t> pairs_astray(const TodaysPairs& today) {
     return out;
 }
 
+/// The name of a file without folders and what stands behind its first dot.
+std::string stem_of(const std::string& file) {
+    const std::string name = file.substr(file.rfind('/') + 1);
+    return folded(name.substr(0, name.find('.')));
+}
+
+/// Pairs of two names whose target's file has less of the name of the source's than another file has, or the other
+/// way round: `TableForceGPU.cu` with `HarmonicForce.cc`, where there is a `TableForce.cc`. By their places.
+std::set<size_t> pairs_in_odd_files(const TodaysPairs& today) {
+    constexpr size_t kTelling = 4;  // letters that it has more
+    BySide<std::set<std::string>> stems;
+    for (const ScannedFile& file : today.snapshot.project.source) stems.source.insert(stem_of(file.path));
+    for (const ScannedFile& file : today.snapshot.project.target) stems.target.insert(stem_of(file.path));
+    const auto common = [](const std::string& a, const std::string& b) {
+        return static_cast<size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
+    };
+    const auto longest = [&](const std::string& stem, const std::set<std::string>& among) {
+        size_t out = 0;  // the nearest in order has most in common
+        const auto at = among.lower_bound(stem);
+        if (at != among.end()) out = common(stem, *at);
+        if (at != among.begin()) out = std::max(out, common(stem, *std::prev(at)));
+        return out;
+    };
+    std::set<size_t> out;
+    for (size_t i = 0; i < today.pairs.size(); ++i) {
+        const TodaysPair& pair = today.pairs[i];
+        const UnitState &source = today.unit(pair, Side::Source), &target = today.unit(pair, Side::Target);
+        const std::string a = folded(leaf_of(source.name)), b = folded(leaf_of(target.name));
+        if (pair.confirmed || a.find(b) != std::string::npos || b.find(a) != std::string::npos) continue;
+        const std::string from = stem_of(source.file), to = stem_of(target.file);
+        const size_t least = common(from, to) + kTelling;
+        if (longest(from, stems.target) >= least || longest(to, stems.source) >= least) out.insert(i);
+    }
+    return out;
+}
+
 /// True for a function that reads the command line: what it takes is its program's own.
 bool reads_arguments(const UnitState& unit) {
     const Words words = unit.text.words();
@@ -134,6 +170,11 @@ bool reads_arguments(const UnitState& unit) {
 bool reads_command_line(const WrittenStatement& statement) {
     const std::vector<std::string> words = words_of_statement(statement);
     return std::any_of(words.begin(), words.end(), [](const auto& word) { return is_one_of(word, {"argc", "argv"}); });
+}
+
+/// True for a function that says what it has to say in one statement: most often what a runtime calls by another name.
+bool is_wrapper(const UnitState& unit) {
+    return unit.kind == UnitKind::Function && written_statements(unit.text.words()).size() <= 2;  // with its head
 }
 
 /// Pairs of two names of which one unit is paired with its namesake, too: `forward_half` with `forward`, where both
@@ -193,8 +234,12 @@ public:
           habits_(habits),
           shared_(shared_pairs(today)),
           beside_namesakes_(pairs_beside_namesakes(today)),
+          odd_files_(pairs_in_odd_files(today)),
           functions_{functions_by_leaf(today.snapshot.states, Side::Source),
-                     functions_by_leaf(today.snapshot.states, Side::Target)} {}
+                     functions_by_leaf(today.snapshot.states, Side::Target)} {
+        for (const auto* files : {&today.snapshot.project.source, &today.snapshot.project.target})
+            for (const ScannedFile& file : *files) add_macros_of_host(file, host_macros_);
+    }
 
     Judged of(const FoundEdit& found, const Surroundings& around) {
         out_ = {};
@@ -254,7 +299,7 @@ private:
             out_.why.emplace_back("the commit message speaks of speed");
         }
         if (says.platform) {
-            z_ -= 1.5;
+            z_ -= 2;
             out_.why.emplace_back("the commit message speaks of one platform");
         }
         if (says.threads && !is_device_code(today_.unit(today_.pairs[found.pair], other(found.edit.side)))) {
@@ -267,6 +312,7 @@ private:
     void weigh_class(const FoundEdit& found) {
         const MissingPlace& place = strongest(found.edit);
         const UnitState& unit = today_.unit(today_.pairs[found.pair], found.edit.side);
+        const UnitState& there = today_.unit(today_.pairs[found.pair], other(found.edit.side));
         const auto weigh = [&](bool is, double more, const char* why) {
             if (!is) return;
             z_ -= more;
@@ -275,13 +321,20 @@ private:
         weigh(only_hands_on(place, functions_[found.edit.side]), 1.5, "only what a function takes became other");
         weigh(is_option(place, unit), 3, "an option of a program");
         weigh(place.kind == MissingPlace::Kind::Added && guards_pointer(place, unit), 2, "a test for null");
-        weigh(names_type(place), 1.5, "the name of a type");
+        weigh(names_type(place), 3, "the name of a type");
         weigh(keeps_address(place), 2, "only where something lies");
-        weigh(numbers_label(place, today_.unit(today_.pairs[found.pair], other(found.edit.side))), 2.5,
-              "the other side's labels are names");
+        weigh(numbers_label(place, there), 2.5, "the other side's labels are names");
         weigh(guards_launch(place), 1.5, "a guard against a launch of no threads");
         weigh(takes_other_local(place, unit), 1.2, "a local gave way to another");
         weigh(sets_tolerance(place), 4, "a bound within which results are taken for equal");
+        weigh(goes_on_from_itself(place, unit), 2, "one variable holds what two did");
+        weigh(exchanges_in_group(place), 3, "how the threads of a group work together");
+        weigh(asks_for_type(place), 2, "a branch by type");
+        weigh(lies_behind_lambda(place), 2.5, "what a call takes behind a lambda");
+        weigh(asks_for_memory(place), 3, "a test for memory");
+        weigh(takes_macro_of_host(place, host_macros_), 3, "a macro that the host gives");
+        weigh(names_expression(place, there), 1.2, "an expression got a name");
+        weigh(place.kind == MissingPlace::Kind::Added && is_wrapper(unit), 3, "a function of one statement");
     }
 
     void weigh_places(const std::vector<MissingPlace>& places) {
@@ -326,6 +379,10 @@ private:
             z_ -= 2;
             out_.why.emplace_back("each of the two has, or may have, a port of its own name");
         }
+        if (odd_files_.contains(found.pair)) {
+            z_ -= 2;
+            out_.why.emplace_back("another file goes by the name of this one");
+        }
         const auto is_program = [&](Side side) { return today_.unit(pair, side).name == "main"; };
         if (is_program(Side::Source) != is_program(Side::Target)) z_ -= 1.6;  // a kernel, and all that is around it
     }
@@ -335,8 +392,9 @@ private:
     const Habits& habits_;
     Judged out_;
     std::vector<bool> shared_;
-    std::set<size_t> beside_namesakes_;
+    std::set<size_t> beside_namesakes_, odd_files_;
     BySide<std::set<std::string>> functions_;
+    std::set<std::string> host_macros_;
     double z_ = 0;
 };
 
@@ -464,13 +522,14 @@ std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differin
                                       const Habits& habits) {
     constexpr double kMost = 0.3;  // nothing tells which side is right, or whether they were ever to be the same
     std::map<std::string, size_t> folded;  // by the words that differ: an item
-    const std::set<size_t> astray = pairs_astray(today), beside = pairs_beside_namesakes(today);
+    const std::set<size_t> astray = pairs_astray(today), beside = pairs_beside_namesakes(today),
+                           odd_files = pairs_in_odd_files(today);
     std::vector<AuditItem> out;
     for (const DifferingPair& one : differing) {
         const TodaysPair& pair = today.pairs[one.pair];
         MissingPlace place = one.places.front();
         if (habits.contains(habit_of(place, Side::Source)) || astray.contains(one.pair) || beside.contains(one.pair) ||
-            (only_waits(place.now) && only_waits(place.there)))
+            odd_files.contains(one.pair) || (only_waits(place.now) && only_waits(place.there)))
             continue;
         place.before = place.there;
         if (sets_tolerance(place)) continue;

@@ -6,11 +6,13 @@
 
 #include "porttool/audit/essence.h"
 #include "porttool/compare/meaning.h"
+#include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/normal/directive_end.h"
 #include "porttool/normal/locals.h"
 #include "porttool/normal/prelude.h"
 #include "porttool/normal/statements.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
@@ -28,11 +30,31 @@ Words without_directives(const Words& words) {
     return out;
 }
 
+/// What stands before a name, as a type does before what it declares, and what is cast to.
+void add_types(const Words& words, std::set<std::string>& out) {
+    const auto may_be = [](std::string_view word) {
+        return is_word_token(word) && !word_is(word, kKeyword) && !word_is(word, kNoType) && !is_type_word(word) &&
+               !is_one_of(word, {"return", "new", "delete", "throw", "defined", "else", "case", "goto", "typename"});
+    };
+    for (size_t i = 0; i + 1 < words.size(); ++i) {
+        const bool declares = may_be(words[i]) && may_be(words[i + 1]) && words[i + 1] != "operator" &&
+                              !(i > 0 && is_one_of(words[i - 1], {"#", ".", "->", "ifdef", "ifndef", "undef"}));
+        if (declares) out.insert(folded(words[i]));
+        const bool casts = is_one_of(words[i], {"static_cast", "reinterpret_cast"}) && words[i + 1] == "<";
+        for (size_t k = i + 2; casts && k < words.size() && words[k] != ">"; ++k)
+            if (may_be(words[k])) out.insert(folded(words[k]));
+    }
+}
+
 }  // namespace
 
 CommonTexts::CommonTexts(const BySide<SideOfPair>& pair, const Dialect& dialect) : pair_(pair), dialect_(dialect) {
     for (const Side side : kBothSides) languages_[side] = language_of_path(pair[side].unit->file);
     read_meaning();
+    for (const Side side : kBothSides)
+        for (const Words* words : {&now_[side], &past_[side]}) add_types(*words, types_);
+    for (const Side side : kBothSides)
+        for (const std::string& local : locals_of(side)) types_.erase(local);
     for (const Side side : kBothSides) {
         own_names[side] = locals_of(side);
         read_side(side);
@@ -232,8 +254,8 @@ bool CommonTexts::uses_new_local(Side side, const std::vector<std::string>& word
 
 KnownThere CommonTexts::known_there(Side side) const {
     const SideOfPair& there = pair_[other(side)];
-    return {&unit_words[other(side)], there.file_words, there.uses,
-            pair_[side].uses,         &own_names[side], &new_locals_[side]};
+    return {&unit_words[other(side)], there.file_words,   there.uses, pair_[side].uses,
+            &own_names[side],         &new_locals_[side], &types_};
 }
 
 Nearest nearest(const WeighedWords& one, const std::vector<WeighedWords>& among) {

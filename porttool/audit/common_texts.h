@@ -113,6 +113,7 @@ private:
     std::optional<Meaning> meaning_;
     BySide<std::map<std::string, std::string>> names_;
     Weigher weigher_;
+    std::set<std::string> types_;                     ///< names of types, of both sides, as the units declare by them
     BySide<std::set<std::string>> new_locals_;        ///< no parameters, and nothing that the other unit names, too
     BySide<std::set<std::vector<std::string>>> had_;  ///< statements that a side had and has no more
 };

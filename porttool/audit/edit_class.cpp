@@ -3,6 +3,9 @@
 #include "porttool/audit/edit_class.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -45,6 +48,23 @@ Text asked_first(const Text& condition) {
     while (end < condition.size() && is_path_word(condition[end])) ++end;
     if (end == first || end == condition.size() || !is_one_of(condition[end], {")", "&&", "||"})) return {};
     return {condition.begin() + static_cast<ptrdiff_t>(first), condition.begin() + static_cast<ptrdiff_t>(end)};
+}
+
+/// Without the type of what it declares: `float a = b` is `a = b`.
+Text without_type(const Text& words) {
+    const size_t sign = static_cast<size_t>(std::find(words.begin(), words.end(), "=") - words.begin());
+    if (sign == words.size() || sign < 2 || !is_word_token(words[sign - 1])) return words;
+    if (!is_word_token(words[sign - 2]) && !is_one_of(words[sign - 2], {"*", "&", ">"})) return words;
+    return {words.begin() + static_cast<ptrdiff_t>(sign) - 1, words.end()};
+}
+
+/// The words that an edit took or brought; of a statement that came or went all.
+std::set<std::string> changed_words(const MissingPlace& place) {
+    const Text before = words_of_statement(place.before), now = words_of_statement(place.now);
+    std::set<std::string> out;
+    for (const DiffStep& step : diff(before, now))
+        if (step.kind != DiffStep::Keep) out.insert(step.kind == DiffStep::Add ? now[step.now] : before[step.before]);
+    return out;
 }
 
 }  // namespace
@@ -105,7 +125,8 @@ bool sets_tolerance(const MissingPlace& place) {
 
 bool names_type(const MissingPlace& place) {
     const Text now = words_of_statement(place.now);
-    return !now.empty() && is_one_of(now[0], {"using", "typedef"});
+    const size_t begin = now.size() > 2 && now[1] == ":" ? 2 : 0;  // `public :`
+    return begin < now.size() && is_one_of(now[begin], {"using", "typedef"});
 }
 
 bool keeps_address(const MissingPlace& place) {
@@ -138,7 +159,8 @@ bool guards_launch(const MissingPlace& place) {
 }
 
 bool takes_other_local(const MissingPlace& place, const UnitState& unit) {
-    const Text before = words_of_statement(place.before), now = words_of_statement(place.now);
+    const Text before = without_type(words_of_statement(place.before)),
+               now = without_type(words_of_statement(place.now));
     if (before.size() != now.size()) return false;
     std::string lost, gained;
     for (size_t i = 0; i < now.size(); ++i) {
@@ -153,6 +175,85 @@ bool takes_other_local(const MissingPlace& place, const UnitState& unit) {
     if (lost.empty()) return false;
     const Words words = unit.text.words();
     return std::find(words.begin(), words.end(), lost) == words.end();
+}
+
+bool goes_on_from_itself(const MissingPlace& place, const UnitState& unit) {
+    const Text now = without_type(words_of_statement(place.now));
+    return now.size() > 3 && now[1] == "=" && takes_other_local(place, unit) &&
+           std::find(now.begin() + 2, now.end(), now[0]) != now.end();
+}
+
+bool exchanges_in_group(const MissingPlace& place) {
+    constexpr std::array<std::string_view, 10> kParts = {"shfl",     "shuffle",    "ballot",   "subgroup",  "subwarp",
+                                                         "warpsize", "activemask", "matchany", "wavefront", "lanemask"};
+    const std::set<std::string> words = changed_words(place);
+    return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+        const std::string name = folded(word);
+        return std::any_of(kParts.begin(), kParts.end(),
+                           [&](std::string_view part) { return name.find(part) != std::string::npos; });
+    });
+}
+
+bool asks_for_type(const MissingPlace& place) {
+    const Text now = words_of_statement(place.now);
+    return now.size() > 1 && now[0] == "if" && now[1] == "constexpr";
+}
+
+bool lies_behind_lambda(const MissingPlace& place) {
+    const Text now = words_of_statement(place.now);
+    return !now.empty() && now[0] == ",";
+}
+
+bool asks_for_memory(const MissingPlace& place) {
+    if (place.before.empty() || place.now.empty()) return false;
+    const std::set<std::string> words = changed_words(place);
+    const auto is_memory = [](const std::string& word) {
+        const std::string name = folded(word);
+        return name.starts_with("get") && (name.ends_with("data") || name.ends_with("values") || name.ends_with("ptr"));
+    };
+    return words.contains("&&") && std::any_of(words.begin(), words.end(), is_memory) &&
+           std::all_of(words.begin(), words.end(), [&](const std::string& word) {
+               return is_memory(word) || is_one_of(word, {"&&", "(", ")", "->", "."}) ||
+                      (is_word_token(word) && words_of_statement(place.before).size() > 2);
+           });
+}
+
+bool names_expression(const MissingPlace& place, const UnitState& there) {
+    constexpr size_t kExpression = 3;  // words
+    const Text before = words_of_statement(place.before), now = words_of_statement(place.now);
+    std::string gained;
+    size_t lost = 0;
+    for (const DiffStep& step : diff(before, now)) {
+        if (step.kind == DiffStep::Remove && !is_one_of(before[step.before], {"(", ")"})) ++lost;
+        if (step.kind != DiffStep::Add || is_one_of(now[step.now], {"(", ")"})) continue;
+        if (!gained.empty() || !is_word_token(now[step.now])) return false;
+        gained = now[step.now];
+    }
+    const Words words = there.text.words();
+    return !gained.empty() && lost >= kExpression && std::find(words.begin(), words.end(), gained) != words.end();
+}
+
+bool takes_macro_of_host(const MissingPlace& place, const std::set<std::string>& given) {
+    const Text there = words_of_statement(place.there), now = words_of_statement(place.now);
+    return std::any_of(there.begin(), there.end(), [&](const std::string& word) {
+        return given.contains(word) && std::find(now.begin(), now.end(), word) == now.end();
+    });
+}
+
+void add_macros_of_host(const ScannedFile& file, std::set<std::string>& out) {
+    constexpr std::string_view kDefines = "-D";
+    for (const Token& token : file.lexed.tokens) {
+        if (token.kind != TokenKind::String) continue;
+        const std::string_view text = file.lexed.view(token);
+        for (size_t at = text.find(kDefines); at != std::string_view::npos; at = text.find(kDefines, at + 1)) {
+            size_t first = at + kDefines.size();
+            while (first < text.size() && text[first] == ' ') ++first;
+            size_t end = first;
+            while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '_'))
+                ++end;
+            if (end < text.size() && text[end] == '=' && end > first) out.emplace(text.substr(first, end - first));
+        }
+    }
 }
 
 bool only_waits(const WrittenStatement& statement) {

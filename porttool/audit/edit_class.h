@@ -8,6 +8,7 @@
 
 #include "porttool/audit/missing_edit.h"
 #include "porttool/normal/unit_state.h"
+#include "porttool/scan/unit.h"
 
 namespace porttool {
 
@@ -39,6 +40,31 @@ bool guards_launch(const MissingPlace& place);
 
 /// True where one local, which the unit has no longer, gave way to another: what that one holds is an edit of its own.
 bool takes_other_local(const MissingPlace& place, const UnitState& unit);
+
+/// True for `a = - n * a` that was `a = - n * b`, where the unit has no `b` any longer: what stood in it stands in `a`.
+bool goes_on_from_itself(const MissingPlace& place, const UnitState& unit);
+
+/// True for what threads of one warp say to each other, and how many they are: each runtime has its own way.
+bool exchanges_in_group(const MissingPlace& place);
+
+/// True for a branch that the compiler takes, by what types a template is given.
+bool asks_for_type(const MissingPlace& place);
+
+/// True for what follows a lambda in the list of what a call takes: `, n , a . get_data ( ) )`.
+bool lies_behind_lambda(const MissingPlace& place);
+
+/// True where it came to be asked whether there is memory: `&& a -> get_values ( )`.
+bool asks_for_memory(const MissingPlace& place);
+
+/// True where a name took the place of an expression, and the other side knows the name, too: it may hold just that.
+bool names_expression(const MissingPlace& place, const UnitState& there);
+
+/// True where the other side says a macro that the edit does away with, and a host gives it a value as it builds the
+/// other side's code. `given`: as add_macros_of_host() has them.
+bool takes_macro_of_host(const MissingPlace& place, const std::set<std::string>& given);
+
+/// The macros that a text defines for a compiler that it calls: `"-DSTEPS="`.
+void add_macros_of_host(const ScannedFile& file, std::set<std::string>& out);
 
 /// True for a call that makes threads wait for each other, and nothing else.
 bool only_waits(const WrittenStatement& statement);

@@ -96,12 +96,22 @@ size_t end_of_element(const Text& words, size_t first) {
 
 /// Where the `>` of `< const T * >` stands that begins there; 0 where none does.
 size_t at_type(const Text& words, size_t first) {
-    if (first >= words.size() || words[first] != "<") return 0;
-    for (size_t i = first + 1; i < words.size(); ++i) {
-        if (words[i] == ">") return i;
-        if (!is_word_token(words[i]) && !is_one_of(words[i], {"*", "&", "::", ","})) return 0;
+    int depth = 0;
+    for (size_t i = first; i < words.size(); ++i) {
+        depth += words[i] == "<" ? 1 : words[i] == ">" ? -1 : words[i] == ">>" ? -2 : 0;
+        if (depth <= 0) return i > first ? i : 0;
+        if (!is_word_token(words[i]) && !is_number_token(words[i]) &&
+            !is_one_of(words[i], {"*", "&", "::", ",", "<", ">"}))
+            return 0;
     }
     return 0;
+}
+
+/// True for a function that gives its argument as another type: `as_device_type ( x )`.
+bool gives_as_type(const std::string& name) {
+    constexpr std::string_view kEnd = "type";
+    const std::string plain = folded(name);
+    return plain.size() > kEnd.size() && plain.ends_with(kEnd) && plain != "decltype";
 }
 
 /// Without casts, and without what only says by which cache a value comes: `__ldg ( & a [ i ] )` is `( a [ i ] )`.
@@ -110,9 +120,11 @@ Text without_casts(const Text& words) {
     for (size_t i = 0; i < words.size(); ++i) {
         if (const size_t end = end_of_cast(words, i, out); end != i) {
             i = end;
-        } else if (is_one_of(words[i], {"static_cast", "reinterpret_cast", "const_cast"}) &&
+        } else if (is_one_of(folded(words[i]), {"staticcast", "reinterpretcast", "constcast"}) &&
                    at_type(words, i + 1) != 0) {
             i = at_type(words, i + 1);
+        } else if (i > 0 && i + 1 < words.size() && words[i + 1] == "(" && gives_as_type(words[i])) {
+            continue;
         } else if (words[i].ends_with("ldg") && i + 2 < words.size() && words[i + 1] == "(" && words[i + 2] == "&") {
             out.emplace_back("(");
             i += 2;
@@ -216,8 +228,19 @@ Text with_plain_assignment(const Text& words) {
     return words;
 }
 
+bool hands_out_memory(const std::string& method) {
+    return is_one_of(folded(method), {"data", "get", "cstr", "getdata", "getconstdata", "constdata", "ptr"});
+}
+
+/// `seed` of `getSeed` and `get_seed`; "" for other names.
+std::string what_is_got(const std::string& method) {
+    constexpr std::string_view kStart = "get";
+    const std::string plain = folded(method);
+    return plain.size() > kStart.size() + 2 && plain.starts_with(kStart) ? plain.substr(kStart.size()) : "";
+}
+
 /// Methods as functions of their object: `a . b . Length ( x )` is `Length ( a . b , x )`. Those that hand out what
-/// their object holds are left out: `a . data ( )` is `a`.
+/// their object holds are left out: `a . data ( )` is `a`, and `a . getSeed ( )` is `a . seed`.
 Text with_plain_calls(const Text& words) {
     Text out;
     for (size_t i = 0; i < words.size(); ++i) {
@@ -227,7 +250,12 @@ Text with_plain_calls(const Text& words) {
             out.push_back(words[i]);
             continue;
         }
-        if (words[i + 3] == ")" && (words[i + 1] == "data" || words[i + 1] == "get" || words[i + 1] == "c_str")) {
+        if (words[i + 3] == ")" && hands_out_memory(words[i + 1])) {
+            i += 3;
+            continue;
+        }
+        if (const std::string member = what_is_got(words[i + 1]); words[i + 3] == ")" && !member.empty()) {
+            out.insert(out.end(), {".", member});
             i += 3;
             continue;
         }

@@ -108,6 +108,21 @@ bool is_clamped_otherwise(const ReadSide& here, size_t index, const ReadSide& th
     return false;
 }
 
+bool is_left_otherwise(const ReadSide& here, size_t index, const ReadSide& there) {
+    const auto guarded = [](const ReadSide& side, size_t i) -> std::string {  // by which name
+        if (i + 1 >= side.words.size() || side.words[i].size() < 6 || side.words[i + 1].empty()) return {};
+        const GuardText& head = side.words[i];
+        const bool compares = head[0] == "if" && is_one_of(head[3], {"<", "<=", ">", ">=", "==", "!="});
+        const bool leaves = is_one_of(side.words[i + 1][0], {"return", "continue", "break"});
+        return compares && leaves && tells_what_it_asks({head[2]}) ? head[2] : std::string();
+    };
+    const std::string own = guarded(here, index);
+    if (own.empty()) return false;
+    for (size_t i = 1; i < there.words.size(); ++i)
+        if (guarded(there, i) == own && !says_it_too(here, there.words[i])) return true;
+    return false;
+}
+
 bool is_asked_in_part(const ReadSide& here, size_t index, const ReadSide& there) {
     const GuardText& own = here.words[index];
     if (own.size() < 6 || own[0] != "if" || own[1] != "(") return false;

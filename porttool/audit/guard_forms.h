@@ -17,4 +17,8 @@ bool is_clamped_otherwise(const ReadSide& here, size_t index, const ReadSide& th
 /// by the preprocessor.
 bool is_asked_in_part(const ReadSide& here, size_t index, const ReadSide& there);
 
+/// True for `if ( i >= n )` before a `return`, where the other side leaves, too, by what it asks of `i`, and asks what
+/// this side does not: `if ( i == kNone ) continue`.
+bool is_left_otherwise(const ReadSide& here, size_t index, const ReadSide& there);
+
 }  // namespace porttool

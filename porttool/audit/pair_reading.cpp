@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "porttool/audit/around.h"
 #include "porttool/audit/aside.h"
 #include "porttool/audit/declaration_edit.h"
 #include "porttool/audit/likeness.h"
@@ -26,7 +27,9 @@ bool has_past(const UnitLineage& lineage) {
            });
 }
 
-constexpr float kFaint = 0.1f;  ///< of a place: below, it says nothing
+constexpr float kFaint = 0.1f;        ///< of a place: below, it says nothing
+constexpr float kOtherLoop = 0.3f;    ///< a loop went as another one came
+constexpr float kOtherBranch = 0.3f;  ///< the other side says it in two branches of an `#if`, and one may have the edit
 
 /// What two texts that are known say to each other's past.
 class PairReader {
@@ -173,6 +176,9 @@ private:
         if (texts_.written_out(was, side) == whole) return;  // a value got a name
         if (give_the_same_value(was, texts_.sides[side].words[line.index], has_real_number(words_of_statement(today))))
             return;
+        if (give_the_same_value(texts_.sides[other(side)].words[found.index], texts_.sides[side].words[line.index],
+                                has_real_number(words_of_statement(today))))
+            return;
         if (replaced_.is_one_component(side, texts_.sides[side].words[line.index],
                                        texts_.sides[other(side)].words[found.index]))
             return;
@@ -189,6 +195,7 @@ private:
         place.strength *=
             anchored(was, texts_.sides[side].words[line.index], texts_.sides[other(side)].words[found.index]);
         if (place.strength < kFaint) return;
+        if (is_alternative(texts_.sides[other(side)], found.index, texts_.sides[side])) place.strength *= kOtherBranch;
         place.constants_only = numbers_alone(place.before, place.now);
         note(line.steps[told].commit, std::move(place));
     }
@@ -313,8 +320,22 @@ private:
         place.there = texts_.sides[other(side)].written[near.index];
         place.strength =
             0.75f * there * told_by(old_text.sum) * (0.2f + 0.8f * otherwise_.neighbours(other(side), near.index));
+        if (heads_loop(words_of_statement(one.text)) && brought_loop(side, one.commit)) place.strength *= kOtherLoop;
         if (place.strength < kFaint) return;
         note(one.commit, std::move(place));
+    }
+
+    static bool heads_loop(const std::vector<std::string>& words) {
+        return !words.empty() && word_is(words[0], kLoopHead);
+    }
+
+    /// True if the commit brought in a loop that the side has today.
+    bool brought_loop(Side side, uint32_t commit) const {
+        const auto& lines = pair_[side].lineage->statements();
+        return std::any_of(lines.begin(), lines.end(), [&](const StatementLineage& line) {
+            return !line.steps.empty() && line.steps.back().before.empty() && line.steps.back().commit == commit &&
+                   heads_loop(texts_.sides[side].words[line.index]);
+        });
     }
 
     /// Where both sides were edited apart in one place, only the newer edit is the one to follow.

@@ -142,8 +142,45 @@ private:
         out_.push_back(name);
         const bool has_name = is_one_of(name, {"ifdef", "ifndef", "undef"}) && i + 1 < text_.size();
         if (has_name) out_.push_back(text_[++i]);
-        if (has_name || is_one_of(name, {"else", "endif"})) end_statement();
+        const size_t end = is_one_of(name, {"if", "elif"}) ? end_of_condition(i + 1) : i + 1;
+        while (i + 1 < end) out_.push_back(text_[++i]);
+        if (has_name || is_one_of(name, {"if", "elif", "else", "endif"})) {
+            end_statement();
+            begin_ = i + 1;
+        }
         return i;
+    }
+
+    /// Behind what `#if` asks, as far as its words tell: an operand that no operator follows ends it. A `*` is none:
+    /// so a statement may begin.
+    size_t end_of_condition(size_t i) const {
+        const size_t first = i;
+        while (i < text_.size()) {
+            while (is_one_of(at(i), {"!", "-", "~"})) ++i;
+            const bool asks = at(i) == "defined";
+            if (asks) ++i;
+            if (at(i) == "(") {
+                i = behind_brackets(i);
+            } else if (is_word_token(at(i)) || is_number_token(at(i))) {
+                const bool calls = !asks && is_word_token(at(i)) && at(i + 1) == "(";
+                i = calls ? behind_brackets(i + 1) : i + 1;
+            } else {
+                return first;
+            }
+            if (!is_one_of(at(i), {"&&", "||", "==", "!=", "<", ">", "<=", ">=", "+", "-", "%", "/", "|", "^", "&"}))
+                return i;
+            ++i;
+        }
+        return text_.size();
+    }
+
+    size_t behind_brackets(size_t open) const {
+        int depth = 0;
+        for (size_t i = open; i < text_.size(); ++i) {
+            depth += text_[i] == "(" ? 1 : text_[i] == ")" ? -1 : 0;
+            if (depth == 0) return i + 1;
+        }
+        return text_.size();
     }
 
     const Words& text_;

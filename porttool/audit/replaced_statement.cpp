@@ -35,9 +35,14 @@ bool ReplacedStatement::says_what_is_gained(Side side, const std::vector<std::st
         if (!tells(side, word) || std::find(before.begin(), before.end(), word) != before.end()) continue;
         any = true;
         if (!texts_.unit_words[other(side)].contains(word)) return false;
-        for (const auto& words : texts_.sides[side].words)
-            if (&words != &now && words != now && std::find(words.begin(), words.end(), word) != words.end())
-                return false;
+        const auto uses = [&](Side where, bool beside_edit) {
+            ptrdiff_t count = 0;
+            for (const auto& words : texts_.sides[where].words)
+                if (!beside_edit || (&words != &now && words != now))
+                    count += std::count(words.begin(), words.end(), word);
+            return count;
+        };
+        if (uses(side, true) > 0 && uses(other(side), false) < uses(side, false)) return false;
     }
     return any;
 }
@@ -272,6 +277,26 @@ bool ReplacedStatement::only_fills_with_zeros(const MissingPlace& place) {
         fills = true;
     }
     return fills;
+}
+
+bool ReplacedStatement::is_added_later(Side side, const MissingPlace& place,
+                                       const std::vector<std::string>& now) const {
+    const auto sign_in = [](const std::vector<std::string>& words) {
+        return std::find(words.begin(), words.end(), "=");
+    };
+    const auto adds_up = [&](const std::vector<std::string>& words) {  // `a = a + E`
+        const auto sign = sign_in(words);
+        const auto length = sign - words.begin();
+        return sign != words.end() && words.end() - sign > length + 1 && *(sign + 1 + length) == "+" &&
+               std::equal(words.begin(), sign, sign + 1);
+    };
+    const std::vector<std::string> there = texts_.translated(place.there, other(side), true);
+    if (!adds_up(now) || adds_up(there) || sign_in(there) == there.end()) return false;
+    const auto& others = texts_.sides[other(side)].words;
+    return std::any_of(others.begin(), others.end(), [&](const std::vector<std::string>& words) {
+        return adds_up(words) && std::find(sign_in(words) + 1, words.end(), there[0]) != words.end() &&
+               words[0] != there[0];
+    });
 }
 
 bool ReplacedStatement::names_second_value(Side side, const std::vector<std::string>& was,

@@ -38,15 +38,15 @@ public:
                (fits_narrower_type(place.before, place.now, place.there) ? 0.05f : 1.0f) *
                (lies_otherwise(was, now) ? 0.1f : 1.0f) * (keeps_copy(side, was, now) ? 0.3f : 1.0f) *
                (only_fills_with_zeros(place) ? 0.1f : 1.0f) * (names_second_value(side, was, now) ? 0.1f : 1.0f) *
-               (sizes_launch(now) ? 0.2f : 1.0f);
+               (sizes_launch(now) ? 0.2f : 1.0f) * (is_added_later(side, place, now) ? 0.2f : 1.0f);
     }
 
 private:
     /// Names that tell what a statement is about: no types, no words of a letter or two, nothing of the side's own.
     bool tells(Side side, const std::string& word) const;
 
-    /// True if the names that an edit brought are in use on the other side's unit, and on this side in such edits
-    /// alone: then the other side has it in another statement.
+    /// True if the names that an edit brought are in use on the other side's unit, as often as on this side, or on this
+    /// side in such edits alone: then the other side has it in another statement.
     bool says_what_is_gained(Side side, const std::vector<std::string>& before,
                              const std::vector<std::string>& now) const;
 
@@ -88,6 +88,9 @@ private:
     ///
     ///     i = ... ; k = i % 4 ; i = i / 4 ; j = i % n ;       k = i % 4 ; row = i / 4 ; j = row % n ;
     bool names_second_value(Side side, const std::vector<std::string>& was, const std::vector<std::string>& now) const;
+
+    /// True for `a = a + E` that was `a = E`, where the other side says `b = E` and adds `b` to something.
+    bool is_added_later(Side side, const MissingPlace& place, const std::vector<std::string>& now) const;
 
     const CommonTexts& texts_;
     const BySide<SideOfPair>& pair_;

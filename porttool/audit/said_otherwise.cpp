@@ -43,10 +43,13 @@ float SaidOtherwise::lacking(Side side, size_t index) const {
     return (moves_memory(texts_.sides[side].words[index]) ? kOwnRuntime : 1.0f) * said_in_one(side, index) *
            known_names(side, index) * (0.35f + 0.65f * neighbours(side, index)) *
            (is_label(side, index) ? 1.0f : told_by(texts_.sides[side].weighed[index].sum)) * lacks_words(side, index) *
-           in_common_calls(side, index) * sets_new(side, index) * runs_threads(side, index) *
-           (begins_own_class(side, index) ? 0.3f : 1.0f) *
+           in_common_calls(side, index) * sets_new(side, index) * sets_own_local(side, index) *
+           runs_threads(side, index) * (begins_own_class(side, index) ? 0.3f : 1.0f) *
            (sizes_launch(texts_.sides[side].words[index]) ? 0.3f : 1.0f) *
-           (governs_the_same(texts_.sides[side], index, texts_.sides[other(side)]) ? 0.3f : 1.0f);
+           (governs_the_same(texts_.sides[side], index, texts_.sides[other(side)]) ||
+                    is_left_otherwise(texts_.sides[side], index, texts_.sides[other(side)])
+                ? 0.3f
+                : 1.0f);
 }
 
 bool SaidOtherwise::names_value(Side side, size_t index) const {
@@ -178,6 +181,34 @@ float SaidOtherwise::sets_new(Side side, size_t index) const {
                              [&](const auto& words) { return is_set(words) && words[0] == own[0]; });
     };
     return times(other(side)) >= times(side) ? kSetThere : 1;
+}
+
+float SaidOtherwise::sets_own_local(Side side, size_t index) const {
+    constexpr float kOwn = 0.3f;
+    const std::vector<std::string>& own = texts_.sides[side].words[index];
+    if (own.size() < 3 || !is_word_token(own[0])) return 1;
+    const KnownThere there = texts_.known_there(side);
+    if (there.unit->contains(own[0]) || there.file->contains(own[0])) return 1;
+    size_t end = 1;
+    while (end + 1 < own.size() && own[end] == "." && is_word_token(own[end + 1])) end += 2;
+    return end < own.size() && own[end] == "=" ? kOwn : 1;
+}
+
+bool SaidOtherwise::is_label_by_ending(Side side, size_t index) const {
+    constexpr size_t kLeast = 6;  // letters
+    constexpr double kShare = 0.6;
+    const auto label = [](const std::vector<std::string>& words) {
+        return words.size() >= 2 && words[0] == "case" && is_word_token(words[1]) ? words[1] : std::string();
+    };
+    const std::string own = label(texts_.sides[side].words[index]);
+    const auto &here = texts_.sides[side].words, &there = texts_.sides[other(side)].words;
+    return own.size() >= kLeast && std::any_of(there.begin(), there.end(), [&](const auto& words) {
+               const std::string name = label(words);
+               const auto [less, more] = std::minmax(name.size(), own.size());
+               const bool ends = own.ends_with(name) || name.ends_with(own);
+               return ends && less >= kLeast && static_cast<double>(less) >= kShare * static_cast<double>(more) &&
+                      std::find(here.begin(), here.end(), words) == here.end();
+           });
 }
 
 bool SaidOtherwise::is_label(Side side, size_t index) const {

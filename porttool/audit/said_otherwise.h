@@ -22,7 +22,8 @@ public:
     bool is_said(Side side, size_t index) const {
         return has_in_shape(side, index) || stands_alike_in_file(side, index) || only_brings(side, index) ||
                only_guards(side, index) || is_part_of_swap(side, index) || is_bound_of_loop(side, index) ||
-               names_value(side, index) || heads_a_message(texts_.sides[side], index) ||
+               names_value(side, index) || is_label_by_ending(side, index) ||
+               heads_a_message(texts_.sides[side], index) ||
                is_clamped_otherwise(texts_.sides[side], index, texts_.sides[other(side)]) ||
                is_asked_in_part(texts_.sides[side], index, texts_.sides[other(side)]) ||
                is_alternative(texts_.sides[side], index, texts_.sides[other(side)]);
@@ -61,6 +62,9 @@ private:
     /// True for a label of a switch: few words, which say all.
     bool is_label(Side side, size_t index) const;
 
+    /// True for a label that the other side has with something before it: `case clMirror` and `case mirror`.
+    bool is_label_by_ending(Side side, size_t index) const;
+
     /// True for the declaration of a local that the other side does not have, or is given: what matters is where it is
     /// used, and there its value is written out.
     bool names_value(Side side, size_t index) const;
@@ -71,6 +75,10 @@ private:
 
     /// Less than 1 where the other side sets the same variable as often: then it does so in another way.
     float sets_new(Side side, size_t index) const;
+
+    /// Less than 1 for what a variable gets, or a member of one, that the other side's file does not name: what matters
+    /// is where it is used.
+    float sets_own_local(Side side, size_t index) const;
 
     /// Less than 1 for a statement that calls what its side uses throughout and the other nowhere: what such a call
     /// does, the other side says in its own way, or has not at all.

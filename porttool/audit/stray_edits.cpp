@@ -10,6 +10,7 @@
 
 #include "porttool/audit/aside.h"
 #include "porttool/audit/essence.h"
+#include "porttool/audit/same_value.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/statements.h"
 
@@ -107,8 +108,10 @@ private:
         for (const WrittenStatement& one : there.unit->today())
             for (std::string& word : essence(one)) words.insert(std::move(word));
         const std::set<std::string> none;
-        const KnownThere known{&words, &words, &uses_[other(side)], &uses_[side], &none, &none};
-        const float substance = substance_of(before, essence(unit.today()[line.index]), known);
+        const KnownThere known{&words, &words, &uses_[other(side)], &uses_[side], &none, &none, nullptr};
+        const std::vector<std::string> now = essence(unit.today()[line.index]);
+        if (give_the_same_value(before, now, has_real_number(words_of_statement(unit.today()[line.index])))) return;
+        const float substance = substance_of(before, now, known);
         constexpr float kSlight = 0.3f;
         if (substance < kSlight) return;
         MissingPlace place;

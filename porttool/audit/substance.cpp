@@ -47,7 +47,7 @@ struct Matter {
         } else if (!is_word_token(word)) {
             const bool bracket = word.size() == 1 && kBrackets.find(word[0]) != std::string_view::npos;
             if (!bracket && word != "->" && word != "::") known += 1;
-        } else if (!is_type_word(word) && word != "return") {
+        } else if (!is_type_word(word) && word != "return" && !there.is_type(word)) {
             const bool only_here =
                 !there.side->contains(word) || (there.own->contains(word) && !there.unit->contains(word));
             const float degree = replaces && only_here ? 0.0f : there.degree(word);

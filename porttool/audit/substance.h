@@ -24,6 +24,9 @@ struct KnownThere {
     const UsesOnSide *side, *other;           ///< of the side that the unit is on, and of the one that was edited
     const std::set<std::string>* own;         ///< parameters and locals of the unit that was edited
     const std::set<std::string>* new_locals;  ///< of these the locals whose names the other unit does not use
+    const std::set<std::string>* types;       ///< names of types that both units use in what they declare; may be null
+
+    bool is_type(const std::string& word) const { return types != nullptr && types->contains(word); }
 
     float degree(const std::string& word) const {
         constexpr float kInFile = 0.9f, kOnSide = 0.5f, kNew = 0.45f;

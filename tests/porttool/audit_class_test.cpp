@@ -10,6 +10,7 @@
 #include "porttool/audit/edit_class.h"
 #include "porttool/audit/message.h"
 #include "porttool/audit/same_value.h"
+#include "porttool/scan/scan.h"
 
 namespace porttool::testing::audit_class_test {
 namespace {
@@ -111,6 +112,43 @@ TEST(AuditClass, LocalsTypesAddressesAndLaunches) {
     EXPECT_TRUE(only_waits(statement_of("__syncthreads ( )")));
     EXPECT_TRUE(only_waits(statement_of("barrier ( CLK_LOCAL_MEM_FENCE )")));
     EXPECT_FALSE(only_waits(statement_of("x = level ( )")));
+}
+
+TEST(AuditClass, WhatEachRuntimeSaysInItsOwnWay) {
+    EXPECT_TRUE(exchanges_in_group(replaced_place("x = tile . shfl_xor ( v , n )", "x = __shfl_xor ( v , n , w )")));
+    EXPECT_TRUE(exchanges_in_group(replaced_place("n = warp_size / k", "n = subgroup_size / k")));
+    EXPECT_TRUE(exchanges_in_group(added_place("mask = match_any_over_sub_group ( sg , p )")));
+    EXPECT_FALSE(exchanges_in_group(replaced_place("x = __shfl_xor ( v , n )", "x = __shfl_xor ( v , n * 2 )")))
+        << "a number";
+    EXPECT_FALSE(exchanges_in_group(replaced_place("x = group + 1", "x = group + size")));
+    EXPECT_TRUE(asks_for_type(added_place("if constexpr ( sizeof ( T ) == 2 )")));
+    EXPECT_FALSE(asks_for_type(added_place("if ( size == 2 )")));
+    EXPECT_TRUE(lies_behind_lambda(replaced_place(", n , sizes . get ( ) )", ", n , sizes )")));
+    EXPECT_FALSE(lies_behind_lambda(replaced_place("f ( n )", "f ( m )")));
+    EXPECT_TRUE(
+        asks_for_memory(replaced_place("if ( a -> size ( ) > 0 )", "if ( a -> size ( ) > 0 && b -> get_values ( ) )")));
+    EXPECT_FALSE(asks_for_memory(replaced_place("if ( n > 0 )", "if ( n > 0 && b -> get_values ( ) [ 0 ] > 1 )")));
+    EXPECT_FALSE(asks_for_memory(replaced_place("if ( n > 0 )", "if ( n > 0 && is_open ( ) )")));
+}
+
+TEST(AuditClass, NamesForWhatStoodThere) {
+    const UnitState there = unit_of("{ size = 4 * w * h ; mean /= 4 * w * h * factor ; }");
+    EXPECT_TRUE(names_expression(replaced_place("m /= ( 4 * w * h * f )", "m /= ( size * f )"), there));
+    EXPECT_FALSE(names_expression(replaced_place("m /= ( 4 * w * h * f )", "m /= ( area * f )"), there)) << "unknown";
+    EXPECT_FALSE(names_expression(replaced_place("m /= ( w * f )", "m /= ( size * f )"), there)) << "another name";
+    EXPECT_FALSE(names_expression(replaced_place("m /= ( 4 * w * h * f )", "m /= ( size * 2 )"), there));
+    const UnitState unit = unit_of("{ read ( e ) ; e = - q * e ; }");
+    EXPECT_TRUE(goes_on_from_itself(replaced_place("float e = - q * factor", "e = - q * e"), unit));
+    EXPECT_FALSE(goes_on_from_itself(replaced_place("e = - q * factor", "e = - q * r"), unit));
+    EXPECT_FALSE(goes_on_from_itself(replaced_place("e = - q * q", "e = - q * e"), unit)) << "still there";
+    MissingPlace place = replaced_place("if ( n > MOST )", "if ( n > most_steps )");
+    place.there = place.before;
+    EXPECT_TRUE(takes_macro_of_host(place, {"MOST"}));
+    EXPECT_FALSE(takes_macro_of_host(place, {"LEAST"}));
+    std::set<std::string> given;
+    const std::string host = "void f() { add(\" -DMOST=\" + text(n)); add(\"-D LEAST=1 -DOPEN -I.\"); }";
+    add_macros_of_host(scan_text("host.cpp", host), given);
+    EXPECT_EQ(given, (std::set<std::string>{"MOST", "LEAST"}));
 }
 
 TEST(AuditClass, MessagesOfThreadsAndOfDigits) {

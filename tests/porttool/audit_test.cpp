@@ -546,6 +546,37 @@ TEST_F(HandMadeAudit, EditsThatEachSideMakesInItsOwnWay) {
     expect_items(all);
 }
 
+TEST_F(HandMadeAudit, EditsThatTheOtherSideHasByAnotherWay) {
+    const HandMade all[] = {
+        {"seeded", "sum += draw(stage, step, scene->getSeed()) * w[k]; level *= 3.0f;",
+         "sum += draw(stage, step, seed) * w[k]; level *= 3.0f;", false},
+        {"reseeded", "sum += draw(stage, step, scene->getSeed()) * w[k]; level *= 3.0f;",
+         "sum += draw(stage, k, scene->getSeed()) * w[k]; level *= 3.0f;", true},
+        {"memory", "fill(n, sizes.get_data(), parts.get_data()); sum += level * w[k];",
+         "fill(n, sizes, parts); sum += level * w[k];", false},
+        {"typed", "using real = float; const real held = v[0] * wide; sum += held * w[k];",
+         "using real = float; const real held = static_cast<real>(v[0] * wide); sum += held * w[k];", false},
+        {"converted", "sum += level * load(v) + w[k];", "sum += level * load(as_device_type(v)) + w[k];", false},
+        {"asked", "sum += level * w[k]; level *= 3.0f;",
+         "sum += level * w[k]; if (scene->fogEnabled && scene->fogShadows) sum = level * wide; level *= 3.0f;", false,
+         "sum += level * w[k];\n#if (defined(FOG) && defined(SHADOWS))\nif (scene->fogShadows) sum = level * "
+         "wide;\n#endif\nlevel *= 3.0f;"},
+        {"unasked", "sum += level * w[k]; level *= 3.0f;",
+         "sum += level * w[k]; if (stride > 3 && wide > v[n] * step) sum = level * wide; level *= 3.0f;", true,
+         "sum += level * w[k];\n#if (defined(FOG) && defined(SHADOWS))\nsum += step;\n#endif\nlevel *= 3.0f;"},
+        {"gathered", "out[0] = x[k] * x[k] * level; sum += wide;", "out[0] += x[k] * x[k] * level; sum += wide;", false,
+         "float held[2]; held[0] = x[k] * x[k] * level; sum += wide; out[0] += held[0];"},
+        {"added", "out[0] = x[k] * x[k] * level; sum += wide;", "out[0] += x[k] * x[k] * level; sum += wide;", true},
+        {"labels", "switch (k) { case kDustCloud: sum = w[0]; break; default: sum = w[1]; }",
+         "switch (k) { case kDustCloud: sum = w[0]; break; case kSilverMirror: sum = w[2]; break; default: sum = w[1]; "
+         "}",
+         false,
+         "switch (k) { case kDustCloud: sum = w[0]; break; case clkSilverMirror: sum = w[3]; break; default: sum = "
+         "w[1]; }"},
+    };
+    expect_items(all);
+}
+
 TEST(AuditValues, AreTheSameWhereRealNumbersAre) {
     const auto words = [](const std::string& text) {
         std::istringstream in(text);
