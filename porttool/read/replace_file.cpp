@@ -202,6 +202,26 @@ std::string stage_all(const std::vector<FileToWrite>& files, std::vector<Staged>
 
 }  // namespace
 
+std::string temporary_left(const TreePath& place, int process) {
+    const FolderBeneath at = folder_beneath(place);
+    if (!at.error.empty()) return {};
+    const int again = ::openat(at.folder.get(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    DIR* entries = again < 0 ? nullptr : ::fdopendir(again);
+    if (entries == nullptr) return {};
+    std::string out;
+    while (const dirent* entry = ::readdir(entries)) {
+        int made_by = 0;
+        if (temporary_of(entry->d_name, made_by) == at.name && made_by == process) out = entry->d_name;
+    }
+    ::closedir(entries);
+    return out;
+}
+
+std::string take_temporary(const TreePath& place, const std::string& temporary) {
+    const FolderBeneath at = folder_beneath(place);
+    return at.error.empty() ? put_in_place(at.folder.get(), at.name, temporary) : at.error;
+}
+
 void sweep_beside(const std::vector<TreePath>& files) {
     std::map<std::pair<std::string, std::string>, std::set<std::string, std::less<>>> names;
     for (const TreePath& place : files) {

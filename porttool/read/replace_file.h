@@ -23,6 +23,12 @@ std::string replace_file(const TreePath& path, const std::string& bytes);
 /// held ends the process in between. Where one fails, all are as they were. Returns which one and why, or "".
 std::string replace_files(const std::vector<FileToWrite>& files);
 
+/// The name of what a killed process wrote beside a file and did not give its name; "" for none.
+std::string temporary_left(const TreePath& place, int process);
+
+/// Gives a file such a temporary. Returns why it could not, or "".
+std::string take_temporary(const TreePath& place, const std::string& temporary);
+
 /// Removes what killed processes left beside these files.
 void sweep_beside(const std::vector<TreePath>& files);
 

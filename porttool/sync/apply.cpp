@@ -65,13 +65,9 @@ void require_applicable(const std::vector<WrittenFile>& files, bool force, const
 void apply(const std::vector<WrittenFile>& files, const std::string& root, bool force, Disk& disk) {
     require_applicable(files, force, disk);
     std::vector<FileToWrite> all;
-    std::vector<TreePath> places;
-    for (const WrittenFile& file : files) {
-        all.push_back({file.place, file.now});
-        places.push_back(file.place);
-    }
+    for (const WrittenFile& file : files) all.push_back({file.place, file.now});
     ApplyJournal journal(root, disk);
-    journal.begin(places);
+    journal.begin(files);
     const std::string failure = disk.write_all(all);
     journal.end();
     if (!failure.empty()) throw CannotDo(failure + kNoneWritten);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "porttool/read/disk.h"
+#include "porttool/sync/apply.h"
 
 namespace porttool {
 
@@ -16,14 +17,27 @@ public:
     /// The disk must outlive it. `root`: of the project.
     ApplyJournal(const std::string& root, Disk& disk);
 
-    void begin(const std::vector<TreePath>& files);
+    void begin(const std::vector<WrittenFile>& files);
     void end();
 
-    /// What a process that is no more has left half done, for a user; "" if nothing. Its temporaries are removed, and
-    /// it is told once.
-    std::string take_interrupted();
+    /// What became of what a process that is no more has left half done.
+    struct Interrupted {
+        std::string told;          ///< for a user; "" if nothing was left
+        bool is_finished = false;  ///< all its files have its text now
+    };
+    /// Where each file is as it was or has its text, and those that were not written yet have it beside them, the rest
+    /// is written. Anything else is told, once. What lies beside the files is removed.
+    Interrupted take_interrupted();
 
 private:
+    struct Noted {
+        TreePath place;
+        std::string before, now;  ///< prints
+    };
+    static std::vector<Noted> noted(const std::vector<std::string>& fields);
+    std::string print_now(const TreePath& place) const;
+    bool finish(const std::vector<Noted>& files, int process);
+
     std::string path_;  ///< "" outside of git
     Disk& disk_;
 };

@@ -9,6 +9,8 @@
 #include "porttool/language/words.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_lines.h"
+#include "porttool/read/map_file.h"
+#include "porttool/scan/scan.h"
 #include "porttool/sync/call_carrier.h"
 #include "porttool/sync/carried_names.h"
 #include "porttool/sync/declaration_carrier.h"
@@ -95,6 +97,7 @@ private:
             return out;
         };
         const LockedPair* line = lines_.find(pair.id.source, pair.id.target);
+        if (const std::string why = why_unread(pair); !why.empty()) return refuse(why);
         if (is_gone(pair)) {
             const std::string why = remove_port(pair, line, out);
             if (out.state == ProposalState::Proposed) return out;
@@ -147,6 +150,17 @@ private:
         return none_is_due();
     }
 
+    /// Why a unit that was not found may stand where it stood: its file could not be read. "" for none.
+    std::string why_unread(const JudgedPair& pair) const {
+        const BySide<std::string> path{pair.id.source, target_path(checked_.project.map, pair.id.target)};
+        for (const Side side : kBothSides)
+            for (const SkippedFile& file : checked_.project.skipped)
+                if (pair.unit[side] == nullptr && file.file == split_id(path[side]).first)
+                    return std::string("the file of the ") + (side == Side::Source ? "source " : "port ") +
+                           file.reason + "; make it readable";
+        return {};
+    }
+
     /// What came to be without a counterpart goes as well, if all that used it let it go. Why not; "" where there is
     /// nothing to say.
     std::string remove_port(const JudgedPair& pair, const LockedPair* line, Proposal& out) {
@@ -156,6 +170,8 @@ private:
         const Fingerprints& recorded = to == Side::Source ? line->source_prints : line->target_prints;
         if (is_edit(classify(recorded, pair.unit[to]->prints))) return "it changed itself";
         if (counts_[to].at(pair.id[to]) > 1) return "it stands in several pairs";
+        if (!checked_.project.skipped.empty())
+            return "`" + checked_.project.skipped.front().file + "` could not be read and may use it";
         drafts_.begin();
         std::string why = remover_.remove(pair, to, result_.proposals, new_units_);
         if (!why.empty()) return why;

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "porttool/sync/apply_journal.h"
 #include "porttool/sync/bounded_command.h"
 #include "porttool/sync/verify.h"
 #include "tests/porttool/temporary_repository.h"
@@ -352,8 +353,8 @@ TEST_F(SyncCommand, TellsOfAnApplyThatWasKilled) {
     if (child == 0) ::_exit(0);
     ::waitpid(child, nullptr, 0);
     const std::string number = std::to_string(child), end(1, '\0');
-    write(".git/porttool/apply",
-          number + end + root.string() + end + "port/k.comp" + end + root.string() + end + "portmap.lock" + end);
+    write(".git/porttool/apply", number + end + root.string() + end + "port/k.comp" + end + "1" + end + "2" + end +
+                                     root.string() + end + "portmap.lock" + end + "1" + end + "2" + end);
     write("port/k.comp.porttool-" + number + ".1", "half");
     const CommandRun got = porttool({"sync"});
     EXPECT_TRUE(holds(got.err,
@@ -365,6 +366,62 @@ TEST_F(SyncCommand, TellsOfAnApplyThatWasKilled) {
     EXPECT_EQ(porttool({"sync", "--apply"}).exit_code, 0);
     EXPECT_EQ(port(), kOnePorted);
     EXPECT_EQ(porttool({"sync"}).err, "");
+}
+
+TEST_F(SyncCommand, WhatCannotBeReadIsNotGone) {
+    for (const std::string path : {"port/k.comp", "src/k.cu"}) {
+        const std::string text = read_text(root / path);
+        std::filesystem::remove(root / path);
+        std::filesystem::create_directory(root / path);
+        for (const nlohmann::json& one : sync({}, 1)["proposals"]) {
+            EXPECT_EQ(one["state"], "refused") << one.dump(1);
+            EXPECT_TRUE(holds(one["left"][0]["message"], "is not a regular file; make it readable")) << one.dump(1);
+        }
+        std::filesystem::remove(root / path);
+        write(path, text);
+    }
+    // Nor does a port go that a file may use which cannot be read.
+    write("src/k.cu", "");
+    write("port/user.comp", std::string("\0\0shade", 7));
+    for (const nlohmann::json& one : sync({}, 1)["proposals"])
+        EXPECT_TRUE(holds(one["left"][0]["message"], "`port/user.comp` could not be read and may use it"));
+}
+
+TEST_F(SyncCommand, AnApplyThatWasKilledIsFinishedByTheNextRun) {
+    write("src/l.cu", replaced(replaced(kTwoUnits, "shade(", "glow("), "fade(", "dim("));
+    write("port/l.comp", replaced(replaced(kTwoPorts, "shade(", "glow("), "fade(", "dim("));
+    ASSERT_EQ(porttool({"init", "--force", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+    commit("two files");
+    // Writes as sync does, and dies when one of the two has its text.
+    const auto killed = [&] {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            std::vector<WrittenFile> files;
+            for (const char* path : {"port/k.comp", "port/l.comp"}) {
+                const std::string before = read_text(root / path);
+                files.push_back({{root.string(), path}, before, replaced(before, "c * 0.5", "c * 0.25")});
+                write(std::string(path) + ".porttool-" + std::to_string(::getpid()) + ".1", files.back().now);
+            }
+            ApplyJournal(root.string(), disk).begin(files);
+            write("port/k.comp", files.front().now);
+            std::filesystem::remove(root / ("port/k.comp.porttool-" + std::to_string(::getpid()) + ".1"));
+            ::_exit(0);
+        }
+        ::waitpid(child, nullptr, 0);
+    };
+    for (const char* path : {"src/k.cu", "src/l.cu"}) edit(path, "c * 0.5f", "c * 0.25f");
+    killed();
+    EXPECT_TRUE(holds(porttool({"sync"}).err, "what it had left is written now:\n    port/k.comp\n    port/l.comp\n"));
+    EXPECT_TRUE(holds(port(), "c * 0.25;"));
+    EXPECT_TRUE(holds(read_text(root / "port/l.comp"), "c * 0.25;"));
+    EXPECT_EQ(porttool({"check"}).exit_code, 0);
+
+    // What somebody wrote since is not written over.
+    git("checkout port");
+    killed();
+    write("port/l.comp", kTwoPorts);
+    EXPECT_TRUE(holds(porttool({"sync"}).err, "some of these files have its text, some not"));
+    EXPECT_EQ(read_text(root / "port/l.comp"), kTwoPorts);
 }
 
 TEST_F(SyncCommand, VerifyRunsOnACopyWithThePatches) {
