@@ -149,16 +149,10 @@ Status Wavefront::run_filter(const Device& device, const KernelSet& kernels, uin
             stage(REPROJECT_LIGHT, Kernel::reproject);
         }
         stage(FILTER_STEADY, Kernel::filter);
-        // Direct light goes to the planes that are free now, and leaves its own to the levels of the rest.
-        const uint32_t light = std::exchange(pass.filter_from, PLANE_DIRECT), direct = pass.filter_to;
-        stage(FILTER_DIRECT, Kernel::filter);
-        pass.filter_from = light;
-        pass.filter_to = PLANE_DIRECT;
         for (const uint32_t step : FILTER_STEPS) {
             pass.filter_step = step;
             stage(FILTER_LEVEL, Kernel::filter);
         }
-        pass.filter_to = direct;
         stage(FILTER_FINISH, Kernel::filter);
         if (with_history) {
             stage(REPROJECT_PICTURE, Kernel::reproject);

@@ -286,17 +286,12 @@ std::vector<FilterStage> filter_stages(const KernelTable& kernels, uint samples,
         stage(REPROJECT_LIGHT, kernels.reproject, 0);
     }
     stage(FILTER_STEADY, kernels.filter, 1);
-    // Direct light goes to the planes that are free now, and leaves its own to the levels of the rest.
-    const uint light = std::exchange(next.filter_from, PLANE_DIRECT), direct = next.filter_to;
-    stage(FILTER_DIRECT, kernels.filter, 1);
-    next.filter_from = light;
-    next.filter_to = PLANE_DIRECT;
     for (const uint step : FILTER_STEPS) {
         next.filter_step = step;
         stage(FILTER_LEVEL, kernels.filter, step);
     }
-    next.filter_to = direct;
-    stage(FILTER_FINISH, kernels.filter, 1);
+    // With a history it leaves the picture in planes, over what the last level reads.
+    stage(FILTER_FINISH, kernels.filter, with_history ? std::end(FILTER_STEPS)[-1] : 1);
     if (with_history) {
         stage(REPROJECT_PICTURE, kernels.reproject, 1);
     }

@@ -21,8 +21,6 @@ void main() {
         prepare_filter(job);
     } else if (pass.filter_stage == FILTER_STEADY) {
         steady_filter(job);
-    } else if (pass.filter_stage == FILTER_DIRECT) {
-        filter_direct(job);
     } else if (pass.filter_stage == FILTER_LEVEL) {
         filter_level(job);
     } else {

@@ -186,10 +186,11 @@ const uint MOTION_SHAPE = 3u;  // row of its first vertex as bits: the matrix is
 // planes: one number a pixel each. Light is radiance by albedo: indirect light is what the guides' paths do not bring.
 // The rest is of the layer that has most of the picture's samples.
 const uint PLANE_LIGHT = 0u;        // three of light, its variance, what was too bright; by turns with
-const uint PLANE_OTHER_LIGHT = 5u;  // the other five, and
-const uint PLANE_DIRECT = 10u;      // five where direct light is at first, with one of these in place of a variance
+const uint PLANE_OTHER_LIGHT = 5u;  // the other five
+const uint PLANE_DIRECT = 10u;      // four of direct light, with one of these in place of a variance
 const float LAYER_AND_SKY = -1.0f;  // where some rays met nothing
 const float TWO_LAYERS = -2.0f;     // where some met something else
+const uint PLANE_VARIANCE = 14u;    // of the light, as neighbours agree on it
 const uint PLANE_NORMAL = 15u;      // three
 const uint PLANE_NEARNESS = 18u;
 const uint PLANE_SLOPE = 19u;   // two: what nearness grows by from pixel to pixel, to the right and down
@@ -216,11 +217,10 @@ const uint FILTER_GATHER = 1u;      // after its path: adds what that brought
 const uint FILTER_DIVIDE = 2u;      // after the picture's own samples: picture to light
 const uint FILTER_PREPARE = 3u;     // guides to planes
 const uint FILTER_STEADY = 4u;      // slopes, and variances that neighbours agree on
-const uint FILTER_DIRECT = 5u;      // the one level of direct light
-const uint FILTER_LEVEL = 6u;       // one level of the rest
-const uint FILTER_FINISH = 7u;      // light to the picture
-const uint REPROJECT_LIGHT = 8u;    // light of the frame before to that of this one, before the levels
-const uint REPROJECT_PICTURE = 9u;  // what was shown before to what is shown, after them
+const uint FILTER_LEVEL = 5u;       // one level of it
+const uint FILTER_FINISH = 6u;      // direct light, and all light to the picture
+const uint REPROJECT_LIGHT = 7u;    // light of the frame before to that of this one, before the levels
+const uint REPROJECT_PICTURE = 8u;  // what was shown before to what is shown, after them
 
 const uint STANDS_STILL = 0u;  // view and scene are those of the frame before
 const uint VIEW_MOVES = 1u;    // or something else than an instance, which has no motion to follow

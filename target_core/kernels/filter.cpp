@@ -18,8 +18,6 @@ void filter() {
         for_each_job<prepare_filter>(pass.path_count);
     } else if (pass.filter_stage == FILTER_STEADY) {
         for_each_job<steady_filter>(pass.path_count);
-    } else if (pass.filter_stage == FILTER_DIRECT) {
-        for_each_job<filter_direct>(pass.path_count);
     } else if (pass.filter_stage == FILTER_LEVEL) {
         for_each_job<filter_level>(pass.path_count);
     } else {

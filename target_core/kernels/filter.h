@@ -52,6 +52,21 @@ inline void gather_light(Uint job) {
     }
 }
 
+// How far the square of a difference in luminance may be off by noise, in variances of both, before pixels are told
+// apart by it: of indirect light and of direct light.
+const float LIKE_BY_NOISE = 48.0f;
+const float LIKE_BY_DIRECT_NOISE = 16.0f;
+
+inline Float likely_square(Float variance, float by_noise) { return min(variance * by_noise + 1.0e-8f, 1.0e30f); }
+
+// Variances are of luminance, and so pixels are told apart by that: it stands where green was, since red, blue and
+// luminance are as much as a colour.
+inline vec3 green_as_luminance(vec3 light) { return vec3(light.x, luminance(light), light.z); }
+
+inline vec3 green_again(vec3 light) {
+    return vec3(light.x, (light.y - (0.2126f * light.x + 0.0722f * light.z)) * (1.0f / 0.7152f), light.z);
+}
+
 inline void store_light(uint plane, Pixels pixels, vec3 light, Float variance) {
     store_plane(plane, pixels, light.x);
     store_plane(plane + 1u, pixels, light.y);
@@ -126,7 +141,8 @@ inline void prepare_filter(Uint job) {
     Float variance = spread / square(luminance(color) * scale);
     Mask mixed = load_layer(here, !second, GUIDE_NORMAL).w > 0.0f;
     Float none = select(mixed, Float(TWO_LAYERS), Float(LAYER_AND_SKY));
-    store_light(PLANE_DIRECT, here, light, select(of_one, variance, none));
+    Float likely = select(of_one, likely_square(variance, LIKE_BY_DIRECT_NOISE), none);
+    store_light(PLANE_DIRECT, here, green_as_luminance(light), likely);
 }
 
 // Pixels that a filter stands on, and how far from there it looks.
@@ -285,70 +301,40 @@ inline void steady_filter(Uint job) {
     Float bright = luminance(vec3(light));
     Float shrunk = min(limit / max(bright, 1.0e-12f), 1.0f);
     shrunk = select(weights < 0.5f, Float(1.0f), shrunk);
-    store_light(pass.filter_to, here, blend(mean, vec3(light) * shrunk, trust), variance);
+    vec3 steady = green_as_luminance(blend(mean, vec3(light) * shrunk, trust));
+    store_light(pass.filter_to, here, steady, likely_square(variance, LIKE_BY_NOISE));
     store_plane(pass.filter_to + 4u, here, bright * (1.0f - shrunk) * trust);
-    store_plane(pass.filter_from + 4u, here, variance);  // for the last stage: no level comes by there
-}
-
-inline void gather_direct(Place place, Middle middle, int right, int down, Gathered& gathered) {
-    Pixels other = pixels_at(place, right, down);
-    vec4 others = load_light(pass.filter_from, other);
-    vec3 off = vec3(others) - vec3(middle.light);
-    Float noise = 32.0f * (middle.light.w + others.w) + 1.0e-8f;
-    Float alike = weight_of(likeness(middle, other, right, down) - dot(off, off) / noise);
-    Mask counts = is_inside(place, right, down) && others.w >= 0.0f;
-    Float weight = select(counts, alike * (right == 0 || down == 0 ? 0.5f : 0.25f), Float(0.0f));
-    gathered.light = gathered.light + vec3(others) * weight;
-    gathered.weights = gathered.weights + weight;
-}
-
-// Direct light: the mean of like pixels around, of those that show one surface.
-inline void filter_direct(Uint job) {
-    Place place = place_of(job + pass.first_pixel, 1);
-    Middle middle = load_middle(place, pass.filter_from);
-    vec4 light = middle.light;
-    Gathered gathered;
-    gathered.light = vec3(light);
-    gathered.weights = 1.0f;
-    gather_direct(place, middle, -1, -1, gathered);
-    gather_direct(place, middle, 0, -1, gathered);
-    gather_direct(place, middle, 1, -1, gathered);
-    gather_direct(place, middle, -1, 0, gathered);
-    gather_direct(place, middle, 1, 0, gathered);
-    gather_direct(place, middle, -1, 1, gathered);
-    gather_direct(place, middle, 0, 1, gathered);
-    gather_direct(place, middle, 1, 1, gathered);
-    vec3 mean = gathered.light * (1.0f / gathered.weights);
-    store_light(pass.filter_to, place.pixels, select(light.w < 0.0f, vec3(light), mean), light.w);
+    store_plane(PLANE_VARIANCE, here, variance);
 }
 
 inline void gather_level(Place place, Middle middle, Float excess, int right, int down, Gathered& gathered) {
     Pixels other = pixels_at(place, right, down);
     vec4 others = load_light(pass.filter_from, other);
-    vec3 off = vec3(others) - vec3(middle.light);
-    Float noise = 120.0f * (middle.light.w + others.w) + 1.0e-8f;
+    Float off = others.y - middle.light.y;
     Float apart = likeness(middle, other, right, down);
-    Float kernel = right == 0 || down == 0 ? 0.5f : 0.25f;
-    kernel = select(is_inside(place, right, down), kernel, Float(0.0f));
-    Float weight = kernel * weight_of(apart - dot(off, off) / noise);
+    Float alike = weight_of(apart - off * off / (middle.light.w + others.w));
+    Float near = max(apart, 0.0f);
+    Mask counts = is_inside(place, right, down);
+    Float weight = select(counts, right == 0 || down == 0 ? alike : alike * 0.5f, Float(0.0f));
+    Float share = select(counts, right == 0 || down == 0 ? near : near * 0.5f, Float(0.0f));
     gathered.light = gathered.light + vec3(others) * weight;
     gathered.variances = gathered.variances + weight * weight * others.w;
     gathered.weights = gathered.weights + weight;
     Float given = load_plane(pass.filter_from + 4u, other) - excess;
-    gathered.excess = gathered.excess + given * (kernel * weight_of(apart));
+    gathered.excess = gathered.excess + given * share;
 }
 
-// One level of the rest: the mean of like pixels `filter_step` apart, by a small kernel. What was too bright goes by
-// geometry alone, as much to each pixel as comes back, so that none is lost.
+// One level of indirect light: the mean of like pixels `filter_step` apart, by a small kernel, whose middle counts
+// twice. What was too bright goes by geometry alone, as much to each pixel as comes back, so that none is lost.
 inline void filter_level(Uint job) {
     Place place = place_of(job + pass.first_pixel, int(pass.filter_step));
     Pixels here = place.pixels;
     Middle middle = load_middle(place, pass.filter_from);
     Float excess = load_plane(pass.filter_from + 4u, here);
     Gathered gathered;
-    gathered.light = vec3(middle.light);
-    gathered.variances = middle.light.w;
-    gathered.weights = 1.0f;
+    gathered.light = vec3(middle.light) * 2.0f;
+    gathered.variances = middle.light.w * 4.0f;
+    gathered.weights = 2.0f;
     gathered.excess = 0.0f;
     gather_level(place, middle, excess, -1, -1, gathered);
     gather_level(place, middle, excess, 0, -1, gathered);
@@ -360,10 +346,36 @@ inline void filter_level(Uint job) {
     gather_level(place, middle, excess, 1, 1, gathered);
     Float scale = 1.0f / gathered.weights;
     store_light(pass.filter_to, here, gathered.light * scale, gathered.variances * scale * scale);
-    store_plane(pass.filter_to + 4u, here, excess + gathered.excess * 0.25f);
+    store_plane(pass.filter_to + 4u, here, excess + gathered.excess * 0.125f);
 }
 
-// Indirect light with what was taken off it.
+inline void gather_direct(Place place, Middle middle, int right, int down, Gathered& gathered) {
+    Pixels other = pixels_at(place, right, down);
+    vec4 others = load_light(PLANE_DIRECT, other);
+    Float off = others.y - middle.light.y;
+    Float alike = weight_of(likeness(middle, other, right, down) - off * off / (middle.light.w + others.w));
+    Float weight = select(is_inside(place, right, down) && others.w >= 0.0f, alike, Float(0.0f));
+    gathered.light = gathered.light + vec3(others) * weight;
+    gathered.weights = gathered.weights + weight;
+}
+
+// Direct light, and what is kept in place of its variance: of pixels that show one surface the mean of those beside,
+// above and below that are like them, the middle counting twice.
+inline vec4 steady_direct(Place place) {
+    Middle middle = load_middle(place, PLANE_DIRECT);
+    vec4 light = middle.light;
+    Gathered gathered;
+    gathered.light = vec3(light) * 2.0f;
+    gathered.weights = 2.0f;
+    gather_direct(place, middle, 0, -1, gathered);
+    gather_direct(place, middle, -1, 0, gathered);
+    gather_direct(place, middle, 1, 0, gathered);
+    gather_direct(place, middle, 0, 1, gathered);
+    vec3 mean = gathered.light * (1.0f / gathered.weights);
+    return vec4(green_again(select(light.w < 0.0f, vec3(light), mean)), light.w);
+}
+
+// Indirect light with what was taken off it, which is grey.
 inline vec3 load_whole_light(Pixels pixels) {
     return vec3(load_light(pass.filter_from, pixels)) + vec3(load_plane(pass.filter_from + 4u, pixels));
 }
@@ -372,7 +384,7 @@ inline void gather_layer(Place place, vec3 normal, Float near, Float strict, int
     Pixels other = pixels_at(place, right, down);
     Float off = load_plane(PLANE_NEARNESS, other) - near;
     Float alike = weight_of((dot(load_normal(other), normal) - 1.0f) - off * off * strict);
-    Float weight = right == 0 && down == 0 ? alike : select(is_inside(place, right, down), alike, Float(0.0f));
+    Float weight = select(is_inside(place, right, down), alike, Float(0.0f));
     gathered.light = gathered.light + load_whole_light(other) * weight;
     gathered.weights = gathered.weights + weight;
 }
@@ -388,35 +400,34 @@ inline vec3 borrowed_light(Place place, vec4 normal, Float sum_of_near, vec3 own
     gathered.light = own * 1.0e-6f;
     gather_layer(place, twice, near, strict, 0, -1, gathered);
     gather_layer(place, twice, near, strict, -1, 0, gathered);
-    gather_layer(place, twice, near, strict, 0, 0, gathered);
     gather_layer(place, twice, near, strict, 1, 0, gathered);
     gather_layer(place, twice, near, strict, 0, 1, gathered);
     return gathered.light * (1.0f / gathered.weights);
 }
 
-// The picture again: each layer's light by its albedo, and direct light, which is at `filter_to`.
+// The picture again: each layer's light by its albedo, and direct light.
 inline void finish_filter(Uint job) {
     Place place = place_of(job + pass.first_pixel, 1);
     Pixels here = place.pixels;
     vec3 light = load_whole_light(here);
     vec3 albedo =
         vec3(load_plane(PLANE_ALBEDO, here), load_plane(PLANE_ALBEDO + 1u, here), load_plane(PLANE_ALBEDO + 2u, here));
-    vec4 direct = load_light(pass.filter_to, here);
-    vec3 radiance = light * albedo + vec3(direct) * select(direct.w < 0.0f, vec3(1.0f), albedo);
+    vec4 direct = steady_direct(place);
+    vec3 radiance = green_again(light) * albedo + vec3(direct) * select(direct.w < 0.0f, vec3(1.0f), albedo);
     Mask mixed = direct.w == TWO_LAYERS;
     if (any_lane(mixed)) {
         Mask other = load_plane(PLANE_LAYER, here) == 0.0f;
         vec4 normal = load_layer(here, other, GUIDE_NORMAL);
         vec4 given = load_layer(here, other, GUIDE_ALBEDO);
         Float scale = 1.0f / load_guides(here, GUIDE_RAYS).x;
-        vec3 more = borrowed_light(place, normal, given.w, light) * (vec3(given) * scale);
+        vec3 more = green_again(borrowed_light(place, normal, given.w, light)) * (vec3(given) * scale);
         radiance = radiance + select(mixed, more, vec3(0.0f));
     }
     // Where that is farther off the mean of the samples than their variance explains, if that is known, it is wrong,
     // not they. Of few samples variance says little: they may have missed what is rare and bright.
     vec4 mean = load_filter_picture(here);
     vec3 off = vec3(mean) - radiance;
-    Float variance = load_plane(pass.filter_to + 4u, here);
+    Float variance = load_plane(PLANE_VARIANCE, here);
     Float doubt = max(mean.w, variance * square(luminance(albedo)));
     doubt = max(doubt, square(luminance(radiance)) * pass.sample_scale);
     Float kept = max(1.0f - 12.0f * doubt / (dot(off, off) + 1.0e-12f), 0.0f);
