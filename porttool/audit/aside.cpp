@@ -94,7 +94,7 @@ bool sizes_launch(const Text& words) {
 
 bool is_aside(const Text& words) {
     if (words.empty() || words[0] == "#" || words[0] == "return") return !words.empty() && words[0] == "#";
-    if (words[0] == "template") return true;
+    if (words[0] == "template" || words[0] == "&&" || words[0] == "||") return true;  // the rest of an `#if`
     const bool says = std::any_of(words.begin(), words.end(),
                                   [](const std::string& word) { return !word.empty() && word[0] == '"'; });
     const bool measures = std::any_of(words.begin(), words.end(), [](const std::string& word) {

@@ -329,6 +329,7 @@ private:
         weigh(sets_tolerance(place), 4, "a bound within which results are taken for equal");
         weigh(goes_on_from_itself(place, unit), 2, "one variable holds what two did");
         weigh(exchanges_in_group(place), 3, "how the threads of a group work together");
+        weigh(is_taken_by_runtime(place), 2.5, "what a runtime's function takes");
         weigh(asks_for_type(place), 2, "a branch by type");
         weigh(lies_behind_lambda(place), 2.5, "what a call takes behind a lambda");
         weigh(asks_for_memory(place), 3, "a test for memory");

@@ -194,6 +194,27 @@ bool exchanges_in_group(const MissingPlace& place) {
     });
 }
 
+bool is_taken_by_runtime(const MissingPlace& place) {
+    constexpr std::array<std::string_view, 9> kRuntimes = {"cuda", "hip",    "cublas",    "cufft", "cusparse",
+                                                           "cub",  "hipcub", "clEnqueue", "clSet"};
+    const auto is_runtime = [&](const std::string& name) {
+        return std::any_of(kRuntimes.begin(), kRuntimes.end(), [&](std::string_view start) {
+            return name.size() > start.size() && name.starts_with(start) && name[start.size()] >= 'A' &&
+                   name[start.size()] <= 'Z';
+        });
+    };
+    const Text before = words_of_statement(place.before), now = words_of_statement(place.now);
+    const std::vector<std::string> around_before = calls_around(before), around_now = calls_around(now);
+    bool any = false;
+    for (const DiffStep& step : diff(before, now)) {
+        if (step.kind == DiffStep::Keep) continue;
+        const bool adds = step.kind == DiffStep::Add;
+        if (!is_runtime(adds ? around_now[step.now] : around_before[step.before])) return false;
+        any = true;
+    }
+    return any && !before.empty() && !now.empty();
+}
+
 bool asks_for_type(const MissingPlace& place) {
     const Text now = words_of_statement(place.now);
     return now.size() > 1 && now[0] == "if" && now[1] == "constexpr";

@@ -50,6 +50,9 @@ bool exchanges_in_group(const MissingPlace& place);
 /// True for a branch that the compiler takes, by what types a template is given.
 bool asks_for_type(const MissingPlace& place);
 
+/// True where only what a function of the side's own runtime takes became other: `cudaGraphInstantiate ( g )`.
+bool is_taken_by_runtime(const MissingPlace& place);
+
 /// True for what follows a lambda in the list of what a call takes: `, n , a . get_data ( ) )`.
 bool lies_behind_lambda(const MissingPlace& place);
 

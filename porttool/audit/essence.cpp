@@ -80,17 +80,22 @@ size_t end_of_cast(const Text& words, size_t first, const Text& before) {
     return is_type || alone || is_word_token(next) || is_number_token(next) ? end : first;
 }
 
-/// Where the `]` of `& a . b [ i ]` stands that begins there, if nothing goes into the element; else the place itself.
+/// Where the `]` of `& a . b [ i ]`, or the `)` of `& a . b ( i )`, stands that begins there, if nothing goes into the
+/// element; else the place itself.
 size_t end_of_element(const Text& words, size_t first) {
     size_t i = first + 1;
     while (i < words.size() && (is_word_token(words[i]) || words[i] == "." || words[i] == "->")) ++i;
-    if (i == first + 1 || i >= words.size() || words[i] != "[") return first;
+    if (i == first + 1 || i >= words.size() || !is_one_of(words[i], {"[", "("})) return first;
+    const std::string opens = words[i], closes = opens == "[" ? "]" : ")";
     int depth = 0;
     for (; i < words.size(); ++i) {
-        depth += words[i] == "[" ? 1 : words[i] == "]" ? -1 : 0;
+        depth += words[i] == opens ? 1 : words[i] == closes ? -1 : 0;
+        if (depth == 1 && opens == "(" && words[i] == ",") return first;  // more than one place
         if (depth == 0) break;
     }
-    const bool goes_on = i + 1 < words.size() && (words[i + 1] == "." || words[i + 1] == "->" || words[i + 1] == "[");
+    if (opens == "(" && words[i > 0 ? i - 1 : 0] == "(") return first;
+    const bool goes_on = i + 1 < words.size() &&
+                         (words[i + 1] == "." || words[i + 1] == "->" || words[i + 1] == "[" || words[i + 1] == "(");
     return i >= words.size() || goes_on ? first : i;
 }
 
@@ -135,7 +140,7 @@ Text without_casts(const Text& words) {
     return out;
 }
 
-/// `& a [ i ]` and `& ( a [ i ] )` as `a + i`.
+/// `& a [ i ]`, `& ( a [ i ] )` and `& a ( i )` as `a + i`.
 Text with_plain_places(const Text& words) {
     Text out;
     for (size_t i = 0; i < words.size(); ++i) {
@@ -147,10 +152,11 @@ Text with_plain_places(const Text& words) {
             out.push_back(words[i]);
             continue;
         }
-        const bool at_start = words[end - 1] == "0" && words[end - 2] == "[";
+        const std::string opens = words[end] == ")" ? "(" : "[";
+        const bool at_start = words[end - 1] == "0" && words[end - 2] == opens;
         bool opened = false;
         for (size_t k = i + 1; k < end; ++k) {
-            if (words[k] == "[" && !opened) {
+            if (words[k] == opens && !opened) {
                 opened = true;
                 if (at_start) break;
                 out.emplace_back("+");

@@ -41,10 +41,11 @@ constexpr std::array<std::string_view, 7> kBuild = {"compil", "build",    "drive
                                                     "script", "makefile", "dependenc"};
 
 /// What is mended there may have been wrong there alone.
-constexpr std::array<std::string_view, 29> kPlatform = {
-    "platform", "opencl", "cuda", "hip ",    "sycl", "metal",  "vulkan", "gpu",   "opengl", "cpu",
-    "os x",     "osx",    "mac",  "windows", "msvc", "gcc",    "clang",  "intel", "amd",    "arm",
-    "nvidia",   "x86",    "sse",  "avx",     "neon", "openmp", "rocm",   "dpcpp", "oneapi"};
+constexpr std::array<std::string_view, 38> kPlatform = {
+    "platform", "opencl", "cuda",   "hip ",    "sycl",    "metal",  "vulkan", "gpu",      "opengl", "cpu",
+    "os x",     "osx",    "mac",    "windows", "msvc",    "gcc",    "clang",  "intel",    "amd",    "arm",
+    "nvidia",   "x86",    "sse",    "avx",     "neon",    "openmp", "rocm",   "dpcpp",    "oneapi", "navi",
+    "gfx",      "volta",  "ampere", "pascal",  "maxwell", "kepler", "hopper", "lock step"};
 
 /// What is mended there is no matter for a type of more digits.
 constexpr std::array<std::string_view, 4> kFewDigits = {"single precision", "single-precision", "float precision",

@@ -121,6 +121,9 @@ TEST(AuditClass, WhatEachRuntimeSaysInItsOwnWay) {
     EXPECT_FALSE(exchanges_in_group(replaced_place("x = __shfl_xor ( v , n )", "x = __shfl_xor ( v , n * 2 )")))
         << "a number";
     EXPECT_FALSE(exchanges_in_group(replaced_place("x = group + 1", "x = group + size")));
+    EXPECT_TRUE(is_taken_by_runtime(replaced_place("return cudaGraphRun ( g , n )", "return cudaGraphRun ( g )")));
+    EXPECT_FALSE(is_taken_by_runtime(replaced_place("return cudaGraphRun ( g )", "return cudaGraphRun ( g ) + n")));
+    EXPECT_FALSE(is_taken_by_runtime(replaced_place("return hipster ( g )", "return hipster ( n )")));
     EXPECT_TRUE(asks_for_type(added_place("if constexpr ( sizeof ( T ) == 2 )")));
     EXPECT_FALSE(asks_for_type(added_place("if ( size == 2 )")));
     EXPECT_TRUE(lies_behind_lambda(replaced_place(", n , sizes . get ( ) )", ", n , sizes )")));
