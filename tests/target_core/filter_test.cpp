@@ -210,7 +210,7 @@ TEST_F(Filter, LeavesWhatIsNotNoise) {
 /// Frames, one after another, under a camera that stands or goes to the right by four pixels of the wall each time.
 class TemporalFilter : public Filter {
 protected:
-    std::vector<float> next(const std::vector<float>& gray, float variance) {
+    std::vector<float> next(const std::vector<float>& gray, float variance, uint32_t samples = 1) {
         std::vector<glm::vec4> means;
         for (const float value : gray) means.emplace_back(glm::vec3(value), 1.0f);
         const std::vector<float> variances(gray.size(), variance);
@@ -219,7 +219,7 @@ protected:
         expect_ok(core->Filter(view, {.means = means,
                                       .variances = variances,
                                       .first_sample = frames,
-                                      .samples = 1,
+                                      .samples = samples,
                                       .filtered = means,
                                       .history = frames == 0 ? FilterHistory::begin : FilterHistory::go_on}));
         ++frames;
@@ -244,6 +244,17 @@ protected:
     bool moves = false;
     uint32_t frames = 0;
 };
+
+// A first frame has nothing to go by but itself: it is what the spatial filter makes of it, by way of other planes.
+TEST_F(TemporalFilter, MakesOfAFirstFrameWhatTheSpatialFilterDoes) {
+    put_walls({0.5f, 0.5f}, {4.0f, 4.0f});
+    std::uniform_real_distribution<float> noise(0.5f, 1.5f);
+    std::vector<float> gray(size_t{WIDTH} * HEIGHT);
+    for (float& value : gray) value = noise(random);
+    const std::vector<float> spatial = filtered(gray, 0.02f);
+    const std::vector<float> first = next(gray, 0.02f, 4);
+    for (size_t i = 0; i < gray.size(); ++i) ASSERT_NEAR(first[i], spatial[i], 1e-4f) << i % WIDTH << " " << i / WIDTH;
+}
 
 TEST_F(TemporalFilter, LeavesAStillPictureWithoutNoiseAsItIs) {
     put_walls({0.5f, 0.5f}, {4.0f, 4.0f});
