@@ -42,12 +42,18 @@ bool are_bound(const std::vector<std::string>& words) {
 
 /// True for what is one value by itself: a name with what is called, indexed or picked of it.
 bool is_primary(const std::vector<std::string>& words, size_t first, size_t end) {
+    // `( * p ) . x` is one as `p -> x` is.
+    constexpr size_t kPointedTo = 4;
+    const bool is_pointed_to = end > first + kPointedTo && words[first] == "(" && words[first + 1] == "*" &&
+                               is_word_token(words[first + 2]) && words[first + 3] == ")" &&
+                               is_accessor(words[first + kPointedTo]);
+    if (is_pointed_to) first += 2;
     if (!is_word_token(words[first])) return false;
     int depth = 0;
     for (size_t i = first; i < end; ++i) {
         const std::string& word = words[i];
         if (word == "(" || word == "[") ++depth;
-        if (word == ")" || word == "]") --depth;
+        if ((word == ")" && !(is_pointed_to && i == first + 1)) || word == "]") --depth;
         if (depth > 0 || word == ")" || word == "]") continue;
         const bool name = is_word_token(word) || is_number_token(word);
         const bool after_name = i > first && (is_word_token(words[i - 1]) || is_number_token(words[i - 1]));

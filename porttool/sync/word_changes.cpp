@@ -78,7 +78,9 @@ void WordChanger::change_run(Hunk hunk, size_t was, size_t there) {
     if (was == 0 && loses_way_out(hunk))
         return leave_run(hunk, target(there).first, "nothing tells how the port hands a value back so");
     if (is_neutral(hunk)) return respell(hunk);
-    if (hunk.first == hunk.end ? insert_run(hunk, was, there) : replace_run(hunk) || drop_elements(hunk)) return;
+    if (hunk.first == hunk.end ? insert_run(hunk, was, there)
+                               : replace_run(hunk) || drop_elements(hunk) || (was == 0 && drop_parameter(hunk)))
+        return;
     const Clause &here = before(was), &other = target(there);
     // Out to words that stand for words of the target.
     const Hunk told = hunk;
@@ -216,6 +218,48 @@ bool WordChanger::drop_elements(const Hunk& hunk) {
         --there;
     out_.replaced.push_back({there, there_end, {}, hunk.now_first, hunk.now_end});
     return true;
+}
+
+bool WordChanger::drop_parameter(const Hunk& hunk) {
+    if (hunk.now_first != hunk.now_end || hunk.end < hunk.first + 3) return false;
+    const std::vector<std::string>&was = texts_.before.words, &words = texts_.target.words;
+    const bool comma_first = was[hunk.first] == ",", comma_last = was[hunk.end - 1] == ",";
+    if (comma_first == comma_last) return false;
+    const size_t first = hunk.first + (comma_first ? 1 : 0), name = hunk.end - (comma_last ? 2 : 1);
+    const size_t head_end = target(0).end;
+    // One parameter as a whole.
+    int depth = 0;
+    for (size_t i = first; i <= name; ++i) {
+        depth += is_one_of(was[i], {"(", "[", "<"}) ? 1 : is_one_of(was[i], {")", "]", ">"}) ? -1 : 0;
+        if (depth < 0 || (depth == 0 && was[i] == ",")) return false;
+    }
+    const bool stands_so =
+        (was[first - 1] == "," || was[first - 1] == "(") && (was[name + 1] == "," || was[name + 1] == ")");
+    if (depth != 0 || !stands_so || !is_name(was[name])) return false;
+    size_t there = kNothing, times = 0;
+    for (size_t i = 1; i + 1 < head_end; ++i)
+        if (words[i] == was[name] && is_one_of(words[i + 1], {",", ")"})) there = i, ++times;
+    if (times != 1) return false;
+    size_t begin = start_of_parameter(there), end = there + 1;
+    if (begin == kNothing) return false;
+    if (words[end] == ",")
+        ++end;
+    else if (words[begin - 1] == ",")
+        --begin;
+    out_.replaced.push_back({begin, end, {}, hunk.now_first, hunk.now_end});
+    return true;
+}
+
+size_t WordChanger::start_of_parameter(size_t name) const {
+    const std::vector<std::string>& words = texts_.target.words;
+    int depth = 0;
+    for (size_t i = name; i > 0; --i) {
+        const std::string& word = words[i - 1];
+        if (depth == 0 && (word == "," || word == "(")) return i;
+        depth += is_one_of(word, {")", "]", ">"}) ? 1 : is_one_of(word, {"(", "[", "<"}) ? -1 : 0;
+        if (is_one_of(word, {"{", "}", ";"})) break;
+    }
+    return kNothing;
 }
 
 bool WordChanger::says_alike(size_t i) const {

@@ -46,6 +46,9 @@ private:
     /// Arguments or parameters that go, with a comma on one side, go from wherever the target has just these: what
     /// follows them there may be its own.
     bool drop_elements(const Hunk& hunk);
+    /// A parameter that goes is the one of its name there, of whatever type.
+    bool drop_parameter(const Hunk& hunk);
+    size_t start_of_parameter(size_t name) const;
     /// True if a word of the source and the one that stands for it are of a kind: both names, or the same.
     bool says_alike(size_t i) const;
     /// True where the target picks the word of something that the source does not name: `std :: max` for `max`.

@@ -117,5 +117,30 @@ TEST_F(SyncPortManner, ATemplateOfThePortKeepsItsArguments) {
         }
 }
 
+TEST_F(SyncPortManner, AMemberOfWhatIsPointedToIsSaidAsThePortSaysIt) {
+    const auto file = [](const std::string& at, const std::string& more) {
+        return "float bend(float3* out, const float3 in, float cut) {\n  if (fabs(" + at + "z) < cut" + more +
+               ") return 0.0f;\n  const float a = fabs(" + at + "z);\n  return a * in.z;\n}\n";
+    };
+    start("k.cpp", file("out->", ""), "k.cl", file("(*out).", ""));
+    const nlohmann::json got = proposal_of(file("out->", " || in.z * out->z < 0.0f"));
+    ASSERT_TRUE(got["patch"].is_string()) << got.dump(1);
+    std::string dense = got["patch"];
+    std::erase(dense, ' ');
+    EXPECT_NE(dense.find("||in.z*(*out).z<0.0f"), std::string::npos) << got.dump(1);
+}
+
+TEST_F(SyncPortManner, AParameterThatGoesIsTheOneOfItsNameOfWhateverType) {
+    const auto file = [](const std::string& type, const std::string& middle, const std::string& last) {
+        return "void press(int n, " + type + "low" + middle + last + ") {\n  run(n, low);\n}\n";
+    };
+    const std::string from = "grid::Reader<double, 2>::Type ", to = "grid::Buffer<double> &";
+    start("k.cpp", file(from, ", " + from + "high", ", " + from + "work"), "k.cu",
+          file(to, ", " + to + "high", ", " + to + "work"));
+    const nlohmann::json got = proposal_of(file(from, ", " + from + "high", ""));
+    ASSERT_TRUE(got["patch"].is_string()) << got.dump(1);
+    EXPECT_NE(got["patch"].get<std::string>().find("&high) {"), std::string::npos) << got.dump(1);
+}
+
 }  // namespace sync_port_manner_test
 }  // namespace porttool::testing
