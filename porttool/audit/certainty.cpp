@@ -327,7 +327,7 @@ private:
         weigh(guards_launch(place), 1.5, "a guard against a launch of no threads");
         weigh(takes_other_local(place, unit), 1.2, "a local gave way to another");
         weigh(sets_tolerance(place), 6, "a bound within which results are taken for equal");
-        weigh(goes_on_from_itself(place, unit), 2, "one variable holds what two did");
+        weigh(goes_on_from_itself(place, unit), 3, "one variable holds what two did");
         weigh(exchanges_in_group(place), 3, "how the threads of a group work together");
         weigh(is_taken_by_runtime(place), 2.5, "what a runtime's function takes");
         weigh(asks_for_type(place), 2, "a branch by type");
