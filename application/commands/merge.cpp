@@ -23,7 +23,7 @@ Status add_ranges(std::vector<SampleRange>& ranges, const PicturePart& part) {
         for (const SampleRange& other : ranges)
             if (range.first < other.end && other.first < range.end)
                 return Status::invalid(
-                    fmt::format("{}: samples {}:{} are there already from another file; give each sample once",
+                    fmt::format("{}: samples {}:{} are there already; give each sample once, and no file twice",
                                 part.file, std::max(range.first, other.first), std::min(range.end, other.end)));
     }
     ranges.insert(ranges.end(), part.ranges.begin(), part.ranges.end());

@@ -7,6 +7,7 @@
 
 #include "application/file_output.h"
 #include "application/picture.h"
+#include "application/scene_setup.h"
 #include "application/view/view_window.h"
 #endif
 
@@ -29,6 +30,13 @@ std::vector<std::filesystem::path> saved_files(const Options& options) {
     return files;
 }
 
+/// What is wrong with the scene's name is said where there is no display, too.
+Status check_scene(const Options& options) {
+    std::error_code error;
+    if (std::filesystem::exists(scene_path(options.scene), error)) return Status::success();
+    return Status::error(StatusCode::not_found, options.scene + ": there is no such file; check the path");
+}
+
 /// The log is emptied only once there is something to see.
 Status check_log(const Options& options) {
     if (options.log.empty()) return Status::success();
@@ -40,6 +48,7 @@ Status check_log(const Options& options) {
 }  // namespace
 
 ExitCode run_view(const Options& options, Console& console) {
+    if (Status status = check_scene(options); !status.ok()) return fail(console, status);
     if (Status status = check_display(); !status.ok()) return fail(console, status);
     if (Status status = check_files(options, options.output); !status.ok()) return fail(console, status);
     if (const auto kind = image_kind(options.output);

@@ -104,7 +104,10 @@ Result<CameraFile> load_camera_file(const std::filesystem::path& path) {
     } catch (const LoadError& error) {
         return Status::error(error.code, path.string() + ": " + error.message);
     } catch (const json::exception& error) {
-        return unreadable(std::string("is no camera file (") + error.what() + ")");
+        const std::string what = error.what();  // after an error number of the parser's own
+        const size_t start = what.find("] ");
+        return unreadable("is no camera file (" + (start == std::string::npos ? what : what.substr(start + 2)) +
+                          "); name one that the key K of 'pathtracer view' saved");
     }
 }
 

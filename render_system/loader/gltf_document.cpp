@@ -247,6 +247,13 @@ tinygltf::Model parse_model(json& document) {
     return model;
 }
 
+// Taken for a scene by those who mean `compare`, or by mistake.
+void refuse_picture(Bytes bytes) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    for (const std::string_view start : {"\x89PNG", "v/1\x01", "\xff\xd8\xff", "#?RADIANCE", "#?RGBE"})
+        if (text.starts_with(start)) fail_at("", "is a picture, no scene; name a .gltf, .glb, .obj or .fbx file");
+}
+
 // The importer's word for what a name's ending says; empty: glTF.
 std::string foreign_format(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
@@ -331,6 +338,7 @@ GltfDocument open_gltf(const std::filesystem::path& path, Reach reach, const std
     document.files = {path};
     const std::string foreign = foreign_format(path);
     document.file = foreign.empty() ? FileBytes(path) : import_file(path, foreign, reach);
+    refuse_picture(document.file.bytes());
     const Container container = open_container(document.file.bytes());
     json root = parse_json(container.text);
     check_gltf_schema(root);

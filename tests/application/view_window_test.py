@@ -433,6 +433,9 @@ class RefusedTest(unittest.TestCase):
             self.assertEqual((got.returncode, got.stdout), (2, b""))
             self.assertIn(said, got.stderr)
             self.assertEqual(got.stderr.count(b"error"), 1)
+        got = subprocess.run([PATHTRACER, "view", "nowhere.gltf"], env=bare, capture_output=True)
+        self.assertEqual((got.returncode, got.stdout), (2, b""))
+        self.assertIn(b"nowhere.gltf: there is no such file", got.stderr)
 
     def test_the_log_takes_the_place_of_nothing_that_is_read_and_waits_for_no_reader(self):
         with tempfile.TemporaryDirectory() as name:

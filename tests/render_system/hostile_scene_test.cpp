@@ -147,6 +147,15 @@ void make_socket(const fs::path& place) {
     close(number);
 }
 
+TEST_F(HostileScene, APictureIsCalledOne) {
+    for (const std::string start : {"\x89PNG\r\n", "v/1\x01", "\xff\xd8\xff", "#?RADIANCE\n"}) {
+        const fs::path file = folder_.path() / "scene" / "picture";
+        write_file(file, start + "more");
+        EXPECT_THAT(load_scene(file).status.message, HasSubstr("is a picture, no scene"));
+        EXPECT_THAT(load_camera_file(file).status.message, HasSubstr("is no camera file (parse error at"));
+    }
+}
+
 // A pipe without a writer would be waited for without end, which the test's time limit finds.
 TEST_F(HostileScene, WhatIsNoFileIsRefusedAtOnceWhereverAFileIsRead) {
     ASSERT_EQ(mkfifo((folder_ / "scene/pipe").c_str(), 0600), 0);
