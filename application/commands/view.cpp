@@ -30,7 +30,7 @@ std::vector<std::filesystem::path> saved_files(const Options& options) {
     return files;
 }
 
-/// What is wrong with the scene's name is said where there is no display, too.
+/// A scene that is not there is what is said where there is no display either.
 Status check_scene(const Options& options) {
     std::error_code error;
     if (std::filesystem::exists(scene_path(options.scene), error)) return Status::success();
@@ -48,8 +48,10 @@ Status check_log(const Options& options) {
 }  // namespace
 
 ExitCode run_view(const Options& options, Console& console) {
-    if (Status status = check_scene(options); !status.ok()) return fail(console, status);
-    if (Status status = check_display(); !status.ok()) return fail(console, status);
+    if (const Status status = check_display(); !status.ok()) {
+        const Status scene = check_scene(options);
+        return fail(console, scene.ok() ? status : scene);
+    }
     if (Status status = check_files(options, options.output); !status.ok()) return fail(console, status);
     if (const auto kind = image_kind(options.output);
         !options.output.empty() && (!kind.ok() || *kind != ImageKind::png))
