@@ -10,8 +10,11 @@ namespace render_system::coincident {
 
 namespace {
 
-constexpr float kNear = 1.0f / (1 << 18);  // of the largest coordinate
-constexpr float kOutOfReach = 1.0e18f;     // beyond, cores meet nothing
+// Both of the largest coordinate: how far apart what lies in one place may be, and how wide a line seems where both
+// ends of an edge are rounded, once by each instance's matrix.
+constexpr float kNear = 1.0f / (1 << 18);
+constexpr double kLine = 1.0 / (1 << 21);
+constexpr float kOutOfReach = 1.0e18f;  // beyond, cores meet nothing
 
 // The arithmetic of the kernels' transform_point.
 glm::vec3 world_position(const PlacedMesh& mesh, uint32_t vertex) {
@@ -150,7 +153,8 @@ Polygon turned_left(Polygon triangle) {
 }
 
 bool shares_surface(const Corners& a, const Corners& b) {
-    const double near = static_cast<double>(std::max(reach_of(a), reach_of(b))) * static_cast<double>(kNear);
+    const double reach = static_cast<double>(std::max(reach_of(a), reach_of(b)));
+    const double near = reach * static_cast<double>(kNear);
     const Plane plane_a(a), plane_b(b);
     const double length_a = glm::length(plane_a.normal), length_b = glm::length(plane_b.normal);
     if (!(length_a > 0.0) || !(length_b > 0.0)) return false;
@@ -162,7 +166,7 @@ bool shares_surface(const Corners& a, const Corners& b) {
     Polygon common = flattened(b, u, v);
     const Polygon frame = flattened(a, u, v);
     for (int i = 0; i < 3 && common.count > 0; ++i) common = cut(common, frame.p[i], frame.p[(i + 1) % 3]);
-    if (width_of(common) < near) return false;
+    if (width_of(common) < reach * kLine) return false;
     const double slant = size[axis] / length_a;
     return std::all_of(common.p, common.p + common.count, [&](const glm::dvec2& p) {
         return std::fabs(plane_a.height(p, axis, u, v) - plane_b.height(p, axis, u, v)) * slant <= near;

@@ -136,6 +136,35 @@ TEST(CoincidentSurfaces, AreNotWhatTouchesCrossesOrLiesApart) {
     EXPECT_EQ(found_in({doubled}).entries()[0].triangle, (TriangleName{0, 32}));
 }
 
+// Where a coordinate is worth 1/128, quads of less than one: all that overlap are found, those that only touch are not.
+TEST(CoincidentSurfaces, OfSmallTrianglesAreFoundFarOff) {
+    const auto far_off = [](Sheet sheet) {
+        for (int axis = 0; axis < 3; ++axis) sheet.transform[axis].w = axis == 1 ? 10.0f : 1e5f;
+        return sheet;
+    };
+    const glm::vec3 corner(-3, 0, -3), u(6, 0, 0), v(0, 0, 6);
+    const Sheet one = far_off({corner, u, v, 8, 8}), two = far_off({corner, u, v, 7, 9});
+    const CoincidentSurfaces surfaces = found_in({one, two});
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    size_t looked_at = 0;
+    for (int i = 0; i < 300; ++i) {
+        const glm::dvec3 p = glm::dvec3(1e5 - 3, 10, 1e5 - 3) + 6.0 * glm::dvec3(share(random), 0, share(random));
+        for (uint32_t upper = 0; upper < two.triangles.size(); ++upper) {
+            const glm::dvec2 on_upper = coordinates(two, upper, p);
+            if (std::min({on_upper.x, on_upper.y, 1.0 - on_upper.x - on_upper.y}) < 0.1) continue;
+            for (uint32_t lower = 0; lower < one.triangles.size(); ++lower) {
+                const glm::dvec2 on_lower = coordinates(one, lower, p);
+                if (std::min({on_lower.x, on_lower.y, 1.0 - on_lower.x - on_lower.y}) < 0.1) continue;
+                EXPECT_TRUE(contains(surfaces, {1, upper}, on_upper, {0, lower})) << p.x << " " << p.z;
+                ++looked_at;
+            }
+        }
+    }
+    EXPECT_GT(looked_at, 50u);
+    EXPECT_TRUE(found_in({one, far_off({corner + u, u, v, 7, 5})}).empty()) << "side by side";
+}
+
 // Moves of all kinds: onto another, along it, off it, and of one of many copies.
 TEST(CoincidentSurfaces, FollowedFindWhatIsFoundAnew) {
     const glm::vec3 corner(0, 0, 1), u(1, 0, 0.2f), v(0, 1, 0.1f);
