@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tiny_obj_loader.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <istream>
@@ -9,6 +10,7 @@
 #include <streambuf>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "render_system/importer/glb_builder.h"
 #include "render_system/importer/importer.h"
@@ -130,7 +132,8 @@ public:
         const std::string joined = joined_lines(text_of(file));
         const std::string_view text = joined.empty() ? text_of(file) : joined;
         const std::map<std::string, size_t> asked = check_obj(text, builder_);
-        TextStream stream(text);
+        const std::string closed = closed_corners(text);
+        TextStream stream(closed.empty() ? text : closed);
         BoundedMaterials reader(folder_, anywhere, builder_);
         std::string warnings, errors;
         if (!tinyobj::LoadObj(&attributes_, &shapes_, &materials_, &warnings, &errors, &stream, &reader, true, false)) {
@@ -147,6 +150,8 @@ public:
         for (const tinyobj::material_t& material : materials_) {
             builder_.root["materials"].push_back(gltf_material(material, folder_, builder_));
         }
+        leave_out_missing(&tinyobj::index_t::normal_index, attributes_.normals.size() / 3, "vn");
+        leave_out_missing(&tinyobj::index_t::texcoord_index, attributes_.texcoords.size() / 2, "vt");
         for (tinyobj::shape_t& shape : shapes_) {
             add_shape(shape);
             shape = {};  // its memory is of use to the next
@@ -172,18 +177,35 @@ private:
         }
     }
 
-    static int checked(int index, size_t values, size_t components, const char* what) {
-        if (index >= 0 && static_cast<size_t>(index) < values / components) return index;
-        throw ImportError{std::string("a face names ") + what + " " + std::to_string(int64_t{index} + 1) + " of " +
-                          std::to_string(values / components) + "; export the file again"};
+    static std::string named_of(const char* what, int index, size_t count) {
+        return std::string(what) + " " + std::to_string(int64_t{index} + 1) + " of " + std::to_string(count);
+    }
+
+    // A shape has its form without normals and texture coordinates, too. The largest index that is missing is named.
+    void leave_out_missing(int tinyobj::index_t::*part, size_t count, const char* what) {
+        int largest = -1;
+        for (tinyobj::shape_t& shape : shapes_) {
+            for (tinyobj::index_t& index : shape.mesh.indices) {
+                if (index.*part < 0 || static_cast<size_t>(index.*part) < count) continue;
+                largest = std::max(largest, std::exchange(index.*part, -1));
+            }
+        }
+        if (largest < 0) return;
+        builder_.leave_out("normals and texture coordinates that faces name and the file does not have",
+                           named_of(what, largest, count));
+    }
+
+    int checked_vertex(int index) const {
+        const size_t count = attributes_.vertices.size() / 3;
+        if (index >= 0 && static_cast<size_t>(index) < count) return index;
+        throw ImportError{"a face names " + named_of("v", index, count) + "; export the file again"};
     }
 
     Corner corner_of(const tinyobj::index_t& index, unsigned smoothing) const {
         Corner corner;
-        corner.vertex = checked(index.vertex_index, attributes_.vertices.size(), 3, "v");
-        if (index.normal_index >= 0) corner.normal = checked(index.normal_index, attributes_.normals.size(), 3, "vn");
-        if (index.texcoord_index >= 0)
-            corner.coordinates = checked(index.texcoord_index, attributes_.texcoords.size(), 2, "vt");
+        corner.vertex = checked_vertex(index.vertex_index);
+        corner.normal = std::max(index.normal_index, -1);
+        corner.coordinates = std::max(index.texcoord_index, -1);
         if (corner.normal < 0) corner.smoothing = smoothing;
         return corner;
     }

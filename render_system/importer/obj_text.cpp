@@ -189,6 +189,25 @@ std::string joined_lines(std::string_view text) {
     return joined;
 }
 
+std::string closed_corners(std::string_view text) {
+    std::string closed;
+    for (std::string_view left = text; !left.empty();) {
+        const auto start = static_cast<size_t>(left.data() - text.data());
+        std::string_view line = next_line(left);
+        const size_t length = line.size();
+        if (!is_one_of(next_word(line), {"f", "l", "p"})) continue;
+        bool at_end = true;  // behind this there is nothing of the corner
+        for (size_t i = length; i-- > length - line.size();) {
+            const char c = text[start + i];
+            at_end = kBlanks.find(c) != std::string_view::npos || (at_end && c == '/');
+            if (!at_end || c != '/') continue;
+            if (closed.empty()) closed = text;
+            closed[start + i] = ' ';
+        }
+    }
+    return closed;
+}
+
 std::map<std::string, size_t> check_obj(std::string_view text, GlbBuilder& builder) {
     std::map<std::string, size_t> materials;
     for (size_t line = 1; !text.empty(); ++line) {

@@ -17,6 +17,10 @@ class GlbBuilder;
 /// is no such line.
 std::string joined_lines(std::string_view text);
 
+/// The text without the slashes that stand at the end of a face's corners (`1//`, `2/2/`), which tinyobjloader takes for
+/// an index of 0; as many characters as before, empty if there is none.
+std::string closed_corners(std::string_view text);
+
 /// Throws ImportError, with the line, where a position has no numbers, an index is past 32 bits or a face has more
 /// corners than are cut into triangles in bearable time. Faces of one or two corners, and normals and texture
 /// coordinates that are no numbers, are named as left out. Answers the materials that faces ask for, with the line of

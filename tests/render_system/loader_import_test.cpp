@@ -235,7 +235,6 @@ TEST(LoaderObj, RefusesOrNamesWhatIsWrong) {
     const TempFolder folder;
     const auto message = [&](const std::string& text) { return load_text(folder, "a.obj", text).status.message; };
     EXPECT_THAT(message("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"), HasSubstr("a.obj: a face names v 9 of 3; export"));
-    EXPECT_THAT(message("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/7 2/7 3/7\n"), HasSubstr("a face names vt 7 of 0"));
     EXPECT_THAT(message("v 0 1e999 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), HasSubstr("v number 1 is not finite"));
     EXPECT_THAT(message("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n"), HasSubstr("is no OBJ that can be read"));
     const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -283,6 +282,32 @@ TEST(LoaderObj, NamesWhatItTakesOtherwiseThanWritten) {
     ASSERT_EQ(mkfifo((folder / "a.mtl").c_str(), 0600), 0);
     EXPECT_THAT(load_scene(folder / "a.obj").status.message,
                 HasSubstr("a.obj: mtllib: a.mtl is not a regular file but a pipe"));
+}
+
+// Shapes as Pixar's OpenSubdiv has them in its examples: the faces name normals that the file leaves out.
+TEST(LoaderObj, ShowsShapesWhoseNormalsAndCoordinatesAreMissing) {
+    const TempFolder folder;
+    const auto result = load_text(folder, "a.obj",
+                                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvt 0 0\nvt 0.5 0\nvt 0 0.5\n"
+                                  "f 1/1/1 2/2/2 3/3/9\nf 1/1/1 2/7/1 3/3/1\nf 1/1/1 2/2/1 3/3/1\n");
+    ASSERT_TRUE(result.ok()) << result.status.message;
+    EXPECT_EQ(result->scene.triangle_count(), 3u);
+    EXPECT_THAT(result->warnings,
+                ElementsAre(HasSubstr("that faces name and the file does not have (vn 9 of 1, vt 7 of 3)")));
+    const HostMesh& mesh = result->scene.meshes()[0];
+    for (const glm::vec3& normal : mesh.normals) EXPECT_EQ(normal, glm::vec3(0, 0, 1));
+    EXPECT_EQ(std::count(mesh.uv0.begin(), mesh.uv0.end(), glm::vec2(0.5f, 1.0f)), 1);
+}
+
+TEST(LoaderObj, TakesCornersThatEndInSlashes) {
+    const TempFolder folder;
+    const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n# 1/2/\n";
+    const auto result = load_text(folder, "a.obj", text + "f 1/1/ 2/2/\t3/3/\r\nf 1// 3// 2//\nf 1/1 3/3 2/2/");
+    ASSERT_TRUE(result.ok()) << result.status.message;
+    EXPECT_EQ(result->scene.triangle_count(), 3u);
+    EXPECT_THAT(result->warnings, ElementsAre());
+    EXPECT_THAT(load_text(folder, "a.obj", text + "f / 2/2/ 3/3/\n").status.message,
+                HasSubstr("line 8: f has \"/\" where a corner"));
 }
 
 TEST(LoaderObj, PassesOverTheMarkBeforeUtf8) {
