@@ -39,6 +39,11 @@ uint32_t texel_at(float coordinate, uint32_t size, TextureWrap wrap) {
     return std::min(static_cast<uint32_t>(inside * size), size - 1);
 }
 
+bool is_unlit(const HostScene& scene, const RayProbe::Hit& hit) {
+    const HostMesh& mesh = scene.meshes()[scene.instances()[hit.instance].mesh];
+    return scene.materials()[mesh.triangles[hit.triangle].w].unlit;
+}
+
 glm::vec3 emission_at(const HostScene& scene, const RayProbe::Hit& hit) {
     const HostMesh& mesh = scene.meshes()[scene.instances()[hit.instance].mesh];
     const glm::uvec4& triangle = mesh.triangles[hit.triangle];
@@ -57,7 +62,8 @@ glm::vec3 emission_at(const HostScene& scene, const RayProbe::Hit& hit) {
     return material.emission * glm::vec3(unpack_texel(texture.texels[size_t{y} * texture.width + x], texture.format));
 }
 
-/// What the camera sees of surfaces that do not emit, evenly chosen; `emitters` counts the other rays that met one.
+/// What the camera sees of surfaces that neither emit nor are unlit, evenly chosen; `emitters` counts the other rays
+/// that met one.
 std::vector<Point> seen_points(const HostScene& scene, const Camera& camera, RayProbe& probe, size_t& emitters) {
     const double beside = 0.5 * static_cast<double>(camera.parallel_height);
     const double slope = beside > 0.0 ? 0.0 : std::tan(0.5 * static_cast<double>(camera.vertical_fov));
@@ -70,7 +76,7 @@ std::vector<Point> seen_points(const HostScene& scene, const Camera& camera, Ray
                                glm::dvec3(camera.up) * (y * beside);
         const auto hit = probe.first_hit(eye, direction);
         if (!hit) continue;
-        if (luminance(emission_at(scene, *hit)) > kEmits) {
+        if (is_unlit(scene, *hit) || luminance(emission_at(scene, *hit)) > kEmits) {
             ++emitters;
             continue;
         }
@@ -163,12 +169,15 @@ double studio_radiance(const glm::dvec3& direction) {
 
 bool lights_itself(const HostScene& scene, const Camera& camera) {
     if (!scene.punctual_lights().empty()) return true;
-    const LightTable table = build_light_table(scene, 0.0);
-    if (table.lights.empty()) return false;
+    const LightTable table = build_light_table(scene, 0.0, Emitters::without_unlit);
+    const std::vector<HostMaterial>& materials = scene.materials();
+    const bool has_unlit = std::any_of(materials.begin(), materials.end(), [](const auto& m) { return m.unlit; });
+    if (table.lights.empty() && !has_unlit) return false;
     RayProbe probe(scene);
     size_t emitters = 0;
     const std::vector<Point> points = seen_points(scene, camera, probe, emitters);
     if (points.empty()) return emitters > 0;
+    if (table.lights.empty()) return false;
     size_t lit = 0;
     for (size_t i = 0; i < points.size(); ++i) lit += is_lit(points[i], i, table, probe) ? 1 : 0;
     return 2 * lit >= points.size();

@@ -62,6 +62,7 @@ struct HostTexture {
 struct HostMaterial {
     std::string name;
     CoreMaterial core;
+    bool unlit = false;  ///< its emission is what one sees of it, and not meant as a light
 };
 
 /// A mesh at a place.

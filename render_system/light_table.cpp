@@ -48,12 +48,13 @@ struct Builder {
     }
 };
 
-void add_instance_triangles(Builder& builder, const HostScene& scene, const HostInstance& instance) {
+void add_instance_triangles(Builder& builder, const HostScene& scene, const HostInstance& instance, Emitters emitters) {
     const HostMesh& mesh = scene.meshes()[instance.mesh];
     const bool mirrored = mirrors(instance.transform);
     for (const glm::uvec4& triangle : mesh.triangles) {
         const CoreMaterial& material = scene.materials()[triangle.w].core;
         if (material.emission_weight <= 0.0f) continue;
+        if (emitters == Emitters::without_unlit && scene.materials()[triangle.w].unlit) continue;
         // A mirrored instance shows the other winding: exchanging two vertices keeps the emitting side in front.
         const uint32_t order[3] = {triangle.x, mirrored ? triangle.z : triangle.y, mirrored ? triangle.y : triangle.z};
         CoreLight light;
@@ -134,13 +135,13 @@ SkyTable build_sky_table(const Sky& sky) {
     return result;
 }
 
-LightTable build_light_table(const HostScene& scene, double sky_luminance_integral) {
+LightTable build_light_table(const HostScene& scene, double sky_luminance_integral, Emitters emitters) {
     Builder builder;
     const double radius = static_cast<double>(scene_radius(scene));
     builder.result.scene_radius = static_cast<float>(radius);
     for (const HostInstance& instance : scene.instances()) {
         if (instance.mesh != NONE && scene.is_emissive(instance.mesh)) {
-            add_instance_triangles(builder, scene, instance);
+            add_instance_triangles(builder, scene, instance, emitters);
         }
     }
     for (const PunctualLight& light : scene.punctual_lights()) add_punctual_light(builder, light, radius);

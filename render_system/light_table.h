@@ -43,8 +43,13 @@ struct SkyTable {
 
 SkyTable build_sky_table(const Sky& sky);
 
+enum class Emitters {
+    all,
+    without_unlit,
+};
+
 /// `sky_luminance_integral` is that of build_sky_table(scene.sky()), 0 without a map.
-LightTable build_light_table(const HostScene& scene, double sky_luminance_integral);
+LightTable build_light_table(const HostScene& scene, double sky_luminance_integral, Emitters emitters = Emitters::all);
 
 /// Half the diagonal of the scene's box; 1 for an empty scene.
 float scene_radius(const HostScene& scene);

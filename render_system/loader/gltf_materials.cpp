@@ -337,9 +337,11 @@ void add_materials(GltfDocument& document, const std::vector<bool>& used, HostSc
     const size_t count = document.model.materials.size();
     document.uv_sets.assign(count + 1, {0, 1});
     for (size_t i = 0; i < count; ++i) {
-        scene.add_material({document.model.materials[i].name, used[i] ? reader.read(i) : CoreMaterial()});
+        const tinygltf::Material& source = document.model.materials[i];
+        const bool unlit = source.extensions.contains("KHR_materials_unlit");
+        scene.add_material({source.name, used[i] ? reader.read(i) : CoreMaterial(), used[i] && unlit});
     }
-    if (used[count]) scene.add_material({"default", CoreMaterial()});
+    if (used[count]) scene.add_material({"default", CoreMaterial(), false});
 }
 
 }  // namespace render_system

@@ -142,6 +142,19 @@ TEST_F(DefaultSky, WhereOnlyEmittersAreSeenNoneIsNeeded) {
     EXPECT_FALSE(lit()) << "nothing is seen";
 }
 
+// A coloured backdrop beside lit things would leave them in its colour alone.
+TEST_F(DefaultSky, WhatUnlitSurfacesGiveOffIsNoLight) {
+    HostMaterial shown;
+    shown.core.emission = glm::vec3(1.0f);
+    shown.unlit = true;
+    panel(4.0f, 2.0f, scene_.add_material(shown));
+    EXPECT_TRUE(lit()) << "from above, only what is unlit is seen";
+    camera_ = look_at({0, 1.0f, 0.01f}, {0, 0, 0}, {0, 0, -1}, 0.5f);
+    EXPECT_FALSE(lit()) << "the floor below has the panel's colour alone";
+    panel(4.0f, 1.5f, material(1.0f));
+    EXPECT_TRUE(lit()) << "a light beside it";
+}
+
 TEST(StudioSky, IsNeutralAndGivesAWhiteFloorARadianceOfOne) {
     const Sky sky = studio_sky();
     ASSERT_EQ(sky.texels.size(), size_t{sky.width} * sky.height);
