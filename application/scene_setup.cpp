@@ -7,6 +7,7 @@
 #include <chrono>
 #include <optional>
 
+#include "metrics/text/visible.h"
 #include "render_system/default_sky.h"
 #include "render_system/scene_limits.h"
 #include "render_system/scene_loader.h"
@@ -46,7 +47,7 @@ Result<Companions> read_companions(const Options& options, Console& console) {
         std::vector<std::string> warnings;
         auto sky = render_system::load_sky(options.sky.file, &warnings);
         if (!sky.ok()) return sky.status;
-        for (const std::string& warning : warnings) console.warning(warning);
+        for (const std::string& warning : warnings) console.warning(metrics::visible(warning));
         companions.sky = std::move(*sky);
     } else if (options.sky.radiance) {
         const auto& radiance = *options.sky.radiance;
@@ -194,7 +195,7 @@ Result<SceneSetup> set_up_scene(const Options& options, Console& console, const 
                                                                         .time = options.time});
     if (!loaded.ok()) return loaded.status;
     if (Status status = check_outputs(outputs, input_files(options, loaded->files)); !status.ok()) return status;
-    for (const std::string& warning : loaded->warnings) console.warning(warning);
+    for (const std::string& warning : loaded->warnings) console.warning(metrics::visible(warning));
     SceneSetup setup{std::move(loaded->scene), {}, {}};
     HostScene& scene = setup.scene;
 

@@ -42,7 +42,9 @@ Status add_ranges(std::vector<SampleRange>& ranges, const PicturePart& part) {
 /// Adds a part to those before it.
 Status add_part(PicturePart& whole, PicturePart part) {
     if (const std::string other = first_difference(whole.run, part.run, "is", "here"); !other.empty())
-        return Status::invalid(fmt::format("{} and {} are of different pictures: {}", whole.file, part.file, other));
+        return Status::invalid(
+            fmt::format("{} and {} are of different pictures: {}; merge files that were rendered with the same options",
+                        whole.file, part.file, other));
     if (Status status = add_ranges(whole.ranges, part); !status.ok()) return status;
     for (size_t i = 0; i < part.sums.pixels.size(); ++i) add_sum(whole.sums.pixels[i], part.sums.pixels[i]);
     whole.sums.samples += part.sums.samples;

@@ -92,8 +92,9 @@ Status check_alike(const PictureFile& a, const PictureFile& b) {
         return fmt::format("{}x{}", file.forms.levels.width, file.forms.levels.height);
     };
     if (size(a) != size(b)) {
-        return Status::invalid(fmt::format("{} is {} and {} is {}; only pictures of one size can be compared", a.name,
-                                           size(a), b.name, size(b)));
+        return Status::invalid(
+            fmt::format("{} is {} and {} is {}; only pictures of one size can be compared, render one anew", a.name,
+                        size(a), b.name, size(b)));
     }
     if (a.channels == b.channels) return Status::success();
     return Status::invalid(fmt::format("{} has channels: {}, {} has {}; write both with the same channels", a.name,

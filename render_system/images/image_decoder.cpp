@@ -42,14 +42,14 @@ std::string format_name(Bytes bytes, const std::string& name) {
 
 void check_size(const OIIO::ImageSpec& spec, size_t file_size) {
     const auto size = [](int number) { return static_cast<uint64_t>(std::max(number, 0)); };
-    if (spec.depth > 1) fail("is no flat picture but one with depth");
+    if (spec.depth > 1) fail("is no flat picture but one with depth; save it flat");
     check_image_size(size(spec.width), size(spec.height), size(spec.nchannels), file_size);
 }
 
 // OpenImageIO takes memory for a BMP's rows as soon as it is opened, as much as the header asks for.
 void check_bmp_header(Bytes bytes) {
     constexpr size_t kLeast = 26;
-    if (bytes.size() < kLeast) fail("is cut off: it ends within its header");
+    if (bytes.size() < kLeast) fail(std::string("is cut off: it ends within its header") + kSaveAgain);
     const auto number = [&](size_t at, size_t size) {
         uint32_t value = 0;
         for (size_t i = 0; i < size; ++i) value |= static_cast<uint32_t>(bytes[at + i]) << 8 * i;
@@ -67,7 +67,7 @@ std::string last_error(OIIO::ImageInput& input) {
     std::string error = input.geterror();
     std::replace(error.begin(), error.end(), '\n', ' ');
     while (!error.empty() && error.back() == ' ') error.pop_back();
-    return error.empty() ? "cannot be decoded" : "cannot be decoded (" + error + ")";
+    return (error.empty() ? "cannot be decoded" : "cannot be decoded (" + error + ")") + kSaveAgain;
 }
 
 // Channels in the file to RGBA: grey is repeated, alpha defaults to `one`.
@@ -135,7 +135,7 @@ void fill_floats(Image& image, const std::vector<float>& pixels, size_t count, i
 }  // namespace
 
 Image decode_image(std::span<const std::byte> bytes, const std::string& name) {
-    if (bytes.empty()) fail("is empty");
+    if (bytes.empty()) fail(std::string("is empty") + kSaveAgain);
     const std::string format = format_name(bytes, name);
     if (format == "bmp") check_bmp_header(bytes);
     OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size());

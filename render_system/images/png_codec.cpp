@@ -24,7 +24,7 @@ constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 
 void check_decoded(int code) {
     if (code == SPNG_EMEM) throw std::bad_alloc();
-    if (code != SPNG_OK) fail_at("", std::string("cannot be decoded (") + spng_strerror(code) + ")");
+    if (code != SPNG_OK) fail_at("", std::string("cannot be decoded (") + spng_strerror(code) + ")" + kSaveAgain);
 }
 
 // The chunks of a PNG that make its picture (PNG 1.2, 3 and 4.1). The others are left out: a texture's meaning is its
@@ -34,10 +34,11 @@ std::vector<std::byte> picture_chunks(PngBytes bytes) {
                                 bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), kSignature.size())));
     bool ended = false;
     for (size_t at = kSignature.size(); !ended;) {
-        if (at > bytes.size() || bytes.size() - at < 12) fail_at("", "is cut off: it ends before its last chunk");
+        if (at > bytes.size() || bytes.size() - at < 12)
+            fail_at("", std::string("is cut off: it ends before its last chunk") + kSaveAgain);
         uint64_t length = 12;  // the length itself, name and checksum
         for (size_t i = 0; i < 4; ++i) length += static_cast<uint64_t>(bytes[at + i]) << (24 - 8 * i);
-        if (length > bytes.size() - at) fail_at("", "is cut off: it ends within a chunk");
+        if (length > bytes.size() - at) fail_at("", std::string("is cut off: it ends within a chunk") + kSaveAgain);
         const PngBytes chunk = bytes.subspan(at, length);
         const std::string_view name(reinterpret_cast<const char*>(chunk.data()) + 4, 4);
         ended = name == "IEND";

@@ -18,19 +18,21 @@ using nlohmann::json;
 constexpr float RADIANS_PER_DEGREE = 0.017453292f;
 
 const json& member(const json& object, const char* key, const std::string& place) {
-    if (!object.is_object()) fail_at(place.empty() ? "/" : place, "is no object");
+    if (!object.is_object()) fail_at(place.empty() ? "/" : place, "is no object; write {...} with its members");
     const auto found = object.find(key);
     if (found == object.end()) fail_at(place + "/" + key, "is missing; add it");
     return *found;
 }
 
 float number_of(const json& value, const std::string& place) {
-    if (!value.is_number() || !std::isfinite(value.get<float>())) fail_at(place, "must be a number");
+    if (!value.is_number() || !std::isfinite(value.get<float>()))
+        fail_at(place, "must be a number; write a finite one");
     return value.get<float>();
 }
 
 glm::vec3 vector_of(const json& value, const std::string& place) {
-    if (!value.is_array() || value.size() != 3) fail_at(place, "must be an array of three numbers");
+    if (!value.is_array() || value.size() != 3)
+        fail_at(place, "must be an array of three numbers; write e.g. [0, 1, 0]");
     glm::vec3 result;
     for (int i = 0; i < 3; ++i) {
         result[i] = number_of(value[static_cast<size_t>(i)], place + "/" + std::to_string(i));
@@ -40,14 +42,16 @@ glm::vec3 vector_of(const json& value, const std::string& place) {
 
 glm::vec3 radiance_of(const json& value, const std::string& place) {
     const glm::vec3 radiance = vector_of(value, place);
-    if (radiance.x < 0.0f || radiance.y < 0.0f || radiance.z < 0.0f) fail_at(place, "must not be negative");
+    if (radiance.x < 0.0f || radiance.y < 0.0f || radiance.z < 0.0f)
+        fail_at(place, "must not be negative; raise it to 0");
     return radiance;
 }
 
 QuadLight quad_light_of(const json& value, const std::string& place) {
     QuadLight light;
     const json& corners = member(value, "corners", place);
-    if (!corners.is_array() || corners.size() != 4) fail_at(place + "/corners", "must be four points");
+    if (!corners.is_array() || corners.size() != 4)
+        fail_at(place + "/corners", "must be four points; write an array of four arrays of three numbers");
     for (size_t i = 0; i < 4; ++i) {
         const std::string corner = place + "/corners/" + std::to_string(i);
         light.corners[i] = vector_of(corners[i], corner);
@@ -56,7 +60,7 @@ QuadLight quad_light_of(const json& value, const std::string& place) {
     }
     light.radiance = radiance_of(member(value, "radiance", place), place + "/radiance");
     const glm::vec3 front = glm::cross(light.corners[1] - light.corners[0], light.corners[3] - light.corners[0]);
-    if (!(glm::length(front) > 0.0f)) fail_at(place + "/corners", "enclose no area");
+    if (!(glm::length(front) > 0.0f)) fail_at(place + "/corners", "enclose no area; move them apart");
     if (value.contains("normal") && !(glm::dot(vector_of(value["normal"], place + "/normal"), front) > 0.0f)) {
         fail_at(place + "/normal", "points away from the side whose corners run counter-clockwise; turn one of both");
     }
@@ -69,7 +73,7 @@ CameraFile camera_file_of(const json& root) {
     const glm::vec3 target = vector_of(member(root, "target", ""), "/target");
     const glm::vec3 up = vector_of(member(root, "up", ""), "/up");
     const float degrees = number_of(member(root, "vfov_degrees", ""), "/vfov_degrees");
-    if (!(degrees > 0.0f && degrees < 180.0f)) fail_at("/vfov_degrees", "must be between 0 and 180");
+    if (!(degrees > 0.0f && degrees < 180.0f)) fail_at("/vfov_degrees", "must be between 0 and 180; write e.g. 40");
     if (position == target) fail_at("/target", "is the camera's own position; name a point to look at");
     if (up == glm::vec3(0.0f)) fail_at("/up", "has no length; use e.g. [0, 1, 0]");
     const glm::dvec3 aside = glm::cross(glm::dvec3(target) - glm::dvec3(position), glm::dvec3(up));
@@ -83,7 +87,7 @@ CameraFile camera_file_of(const json& root) {
     if (file.has_sky) file.sky_radiance = radiance_of(root["sky_radiance"], "/sky_radiance");
     if (!root.contains("area_lights")) return file;
     const json& lights = root["area_lights"];
-    if (!lights.is_array()) fail_at("/area_lights", "must be an array");
+    if (!lights.is_array()) fail_at("/area_lights", "must be an array; write [] for no lights");
     for (size_t i = 0; i < lights.size(); ++i) {
         file.area_lights.push_back(quad_light_of(lights[i], "/area_lights/" + std::to_string(i)));
     }

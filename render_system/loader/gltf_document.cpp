@@ -185,7 +185,8 @@ GltfImage image_of(json& entry, const std::string& place) {
     GltfImage image;
     const bool has_uri = entry.contains("uri");
     if (has_uri == entry.contains("bufferView")) {
-        fail_at(place, std::string(has_uri ? "has both" : "has neither") + " a uri and a bufferView" + EXPORT_AGAIN);
+        fail_at(place,
+                std::string(has_uri ? "has both a uri and" : "has neither a uri nor") + " a bufferView" + EXPORT_AGAIN);
     }
     if (has_uri) image.uri = std::move(entry["uri"].get_ref<std::string&>());
     image.buffer_view = entry.value("bufferView", -1);
@@ -225,7 +226,25 @@ void forget_made_up_views(tinygltf::Model& model, size_t real_views) {
     }
 }
 
+// What a camera or a spot light is stands in a member that is called as its type; tinygltf does not say whose is
+// missing.
+void check_descriptions(const json& list, const std::string& place) {
+    for (size_t i = 0; i < list.size(); ++i) {
+        const std::string type = list[i].value("type", "");
+        const bool needs_one = type == "perspective" || type == "orthographic" || type == "spot";
+        if (needs_one && !list[i].contains(type))
+            fail_at(place + "/" + std::to_string(i) + "/" + type, "is missing" + EXPORT_AGAIN);
+    }
+}
+
+void check_descriptions(const json& document) {
+    const json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
+    if (document.contains("cameras")) check_descriptions(document["cameras"], "/cameras");
+    if (document.contains(lights)) check_descriptions(document[lights], lights.to_string());
+}
+
 tinygltf::Model parse_model(json& document) {
+    check_descriptions(document);
     const size_t real_views = document.contains("bufferViews") ? document["bufferViews"].size() : 0;
     // Read by this loader, or not at all.
     for (const char* part : {"buffers", "images", "skins", "animations"}) document.erase(part);

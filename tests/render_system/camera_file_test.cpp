@@ -80,7 +80,7 @@ TEST(CameraFile, RefusesWhatItCannotUse) {
                 }),
                 HasSubstr("/area_lights/0/normal: points away"));
     EXPECT_THAT(message_after([](json& d) { d["area_lights"][0]["corners"].erase(0); }), HasSubstr("four points"));
-    EXPECT_THAT(message_after([](json& d) { d = json::array(); }), HasSubstr("is no object"));
+    EXPECT_THAT(message_after([](json& d) { d = json::array(); }), HasSubstr("/: is no object; write {...}"));
     EXPECT_THAT(message_after([](json& d) { d["position"][0] = 1e300; }), HasSubstr("/position/0: must be a number"));
 }
 
@@ -90,7 +90,7 @@ TEST(CameraFile, RefusesFilesThatAreMissingOrNoJson) {
     write_file(folder / "empty.json", "");
     EXPECT_THAT(load_camera_file(folder / "empty.json").status.message, HasSubstr("the file is empty"));
     write_file(folder / "text.json", "position: 1");
-    EXPECT_THAT(load_camera_file(folder / "text.json").status.message, HasSubstr("is no camera file"));
+    EXPECT_THAT(load_camera_file(folder / "text.json").status.message, HasSubstr("; name one that the key K"));
 }
 
 // A 2x1 map with these six numbers.

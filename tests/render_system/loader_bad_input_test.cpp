@@ -262,6 +262,15 @@ TEST(LoaderBadInput, ASceneWithoutTriangles) {
                 HasSubstr("the scene has no triangles"));
 }
 
+TEST(LoaderBadInput, LightsAndCamerasWithoutWhatTheyAre) {
+    GltfFile spot = one_triangle();
+    spot.root["extensions"]["KHR_lights_punctual"]["lights"] = json::parse(R"([{"type": "point"}, {"type": "spot"}])");
+    EXPECT_THAT(refusal(spot), HasSubstr("/extensions/KHR_lights_punctual/lights/1/spot: is missing; export"));
+    GltfFile camera = one_triangle();
+    camera.root["cameras"] = json::parse(R"([{"type": "orthographic"}])");
+    EXPECT_THAT(refusal(camera), HasSubstr("/cameras/0/orthographic: is missing; export"));
+}
+
 TEST(LoaderBadInput, LightsAndCamerasOutOfRange) {
     const auto with_light = [](const json& light) {
         return refusal_after([&](json& root) {

@@ -296,7 +296,8 @@ TEST(LoaderObj, ShowsShapesWhoseNormalsAndCoordinatesAreMissing) {
                 ElementsAre(HasSubstr("that faces name and the file does not have (vn 9 of 1, vt 7 of 3)")));
     const HostMesh& mesh = result->scene.meshes()[0];
     for (const glm::vec3& normal : mesh.normals) EXPECT_EQ(normal, glm::vec3(0, 0, 1));
-    EXPECT_EQ(std::count(mesh.uv0.begin(), mesh.uv0.end(), glm::vec2(0.5f, 1.0f)), 2);  // by the first face and the last
+    EXPECT_EQ(std::count(mesh.uv0.begin(), mesh.uv0.end(), glm::vec2(0.5f, 1.0f)),
+              2);  // by the first face and the last
 }
 
 TEST(LoaderObj, TakesCornersThatEndInSlashes) {
