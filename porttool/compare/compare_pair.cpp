@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/compare_pair.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -135,12 +136,13 @@ private:
         const PairTexts texts{source_before, source_now, target_before, target_now};
         const BySide<Language> languages{pair_.source.language, pair_.target.language};
         EditComparison edits = compare_edits(texts, dialect_, languages);
+        const EditsByParts by_parts(texts);
         if (!edits.equivalent && structs) edits.equivalent = gain_the_same_fields(texts);
         if (!edits.equivalent)
             edits.equivalent = alike_in_words_of_pair(texts, languages) ||
                                alike_without_order_of_cases(texts, languages) ||
-                               alike_in_ends_of_items(texts, languages) || alike_in_one_part(texts, languages);
-        if (std::string said = surely_differs(texts); !said.empty()) {
+                               alike_in_ends_of_items(texts, languages) || alike_in_one_part(by_parts, languages);
+        if (std::string said = surely_differs(texts, by_parts); !said.empty()) {
             edits.differences.insert(edits.differences.begin(), std::move(said));
             edits.equivalent = false;
             edits.displaced = true;
@@ -155,9 +157,9 @@ private:
     }
 
     /// What makes edits in the same words another program.
-    static std::string surely_differs(const PairTexts& texts) {
+    static std::string surely_differs(const PairTexts& texts, const EditsByParts& by_parts) {
         std::string out = other_ends_of_items(texts);
-        return out.empty() ? half_of_a_port(texts) : out;
+        return out.empty() ? by_parts.half_of_a_port() : out;
     }
 
     /// True if the edits are one where the side that loops over items goes on with the next one as the other returns.
@@ -180,12 +182,14 @@ private:
     }
 
     /// True if one side says part by part, each part alike, what the other says of all parts at once.
-    bool alike_in_one_part(const PairTexts& texts, const BySide<Language>& languages) const {
-        const EditOfOnePart one = edit_of_one_part(texts);
-        if (!one.any) return false;
-        const Words source_now(one.source_now.begin(), one.source_now.end()),
-            target_now(one.target_now.begin(), one.target_now.end());
-        return are_alike({texts.source_before, source_now, texts.target_before, target_now}, languages);
+    bool alike_in_one_part(const EditsByParts& by_parts, const BySide<Language>& languages) const {
+        const auto words = [](const Text& text) { return Words(text.begin(), text.end()); };
+        const std::vector<EditOfOnePart> ways = by_parts.of_one_part();
+        return std::any_of(ways.begin(), ways.end(), [&](const EditOfOnePart& one) {
+            const Words source_before = words(one.source_before), source_now = words(one.source_now),
+                        target_before = words(one.target_before), target_now = words(one.target_now);
+            return are_alike({source_before, source_now, target_before, target_now}, languages);
+        });
     }
 
     bool alike_without_order_of_cases(const PairTexts& texts, const BySide<Language>& languages) const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "porttool/compare/brackets.h"
+#include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 
 namespace porttool {
@@ -29,7 +30,7 @@ public:
 
 private:
     std::string_view word(size_t i) const { return i < words_.size() ? words_[i] : std::string_view(); }
-    bool is_loop(size_t i) const { return is_one_of(word(i), {"for", "while", "do", "#", "foreach", "__pragma"}); }
+    bool is_loop(size_t i) const { return word_is(word(i), kLoop) || is_one_of(word(i), {"#", "__pragma"}); }
 
     size_t after_group(size_t open) const { return after_parentheses(words_, open); }
 

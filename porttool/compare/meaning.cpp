@@ -179,7 +179,7 @@ void Meaning::note_names(const Words& tokens, Side side) {
     for (const std::string_view token : tokens)
         if (is_word_token(token) && dialect_.meaning(token) == nullptr)
             spellings_[side][folded(runtime_name(token))].insert(token);
-    note_vectors(tokens, vectors_[side]);
+    note_vectors(tokens, languages_[side], vectors_[side]);
     note_contexts(tokens, contexts_[side]);
     in_order_ = in_order_ || std::find(tokens.begin(), tokens.end(), "in_order") != tokens.end();
     for (auto& [name, scopes] : scopes_in(tokens, dialect_)) scopes_[side][name].insert(scopes.begin(), scopes.end());

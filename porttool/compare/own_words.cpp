@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "porttool/compare/grouping.h"
+#include "porttool/compare/item_ends.h"
 #include "porttool/compare/side_by_side.h"
 #include "porttool/compare/side_edit.h"
 #include "porttool/normal/diff.h"
@@ -178,7 +180,7 @@ bool may_arrive(const SideEdit& edit, const SideEdit& other) {
 bool edits_in_own_words(const PairTexts& texts, const Dialect& dialect) {
     const size_t words =
         texts.source_before.size() + texts.source_now.size() + texts.target_before.size() + texts.target_now.size();
-    if (words > kMostBeside) return false;
+    if (words > kMostBeside || !jump_alike(texts)) return false;
     const SideEdit source(texts.source_before, texts.source_now, dialect),
         target(texts.target_before, texts.target_now, dialect);
     constexpr size_t kLeast = 6;  // words of each edit
@@ -191,6 +193,7 @@ bool edits_in_own_words(const PairTexts& texts, const Dialect& dialect) {
     if (brings_wrong_word(source, today.misplaced.source) || brings_wrong_word(target, today.misplaced.target))
         return false;
     const Way way{then, today};
+    if (grouping_of_edits(texts, dialect) == Grouping::OtherBrackets) return false;
     return signs_follow(source, target, Side::Source, way) && signs_follow(target, source, Side::Target, way);
 }
 
@@ -219,7 +222,9 @@ Nearing draws_nearer(const LoneTexts& texts, const Dialect& dialect) {
     const bool keeps_what_was_alike =
         std::includes(today.covered.begin(), today.covered.end(), then.covered.begin(), then.covered.end());
     if ((!keeps_what_was_alike && astray > 0) || !signs_arrive(edit, other, {then, today})) return Nearing::No;
-    return rewrites_in_another_order(edit, today) ? Nearing::InAnotherOrder : Nearing::Yes;
+    const bool in_order =
+        !rewrites_in_another_order(edit, today) && grouping_of_edit(texts, dialect) == Grouping::Alike;
+    return in_order ? Nearing::Yes : Nearing::InAnotherOrder;
 }
 
 }  // namespace porttool

@@ -11,8 +11,8 @@ namespace porttool {
 
 /// True if edits of both sides are for the most part one, each in the words of its side: the two texts are about as
 /// much alike as before, no number, operator or name came or went on one side alone, and none that came stands where
-/// the other side has another, but for words of one side's own. Less sure than compare_edits(), which holds statement
-/// against statement.
+/// the other side has another, but for words of one side's own, and statements of the same words have the same
+/// brackets, and end as much. Less sure than compare_edits(), which holds statement against statement.
 ///
 ///                 source                              port
 ///     before      y[i] = x[i];                        store(y + i, load(x + i));
@@ -26,7 +26,8 @@ bool are_twins(const Words& a, const Words& b, const Dialect& dialect);
 /// Whether an edit of one side alone says what the other side has.
 enum class Nearing : uint8_t {
     No,
-    InAnotherOrder,  ///< its words, some of them where the other side has others: a wrong port, or another manner
+    InAnotherOrder,  ///< its words, some of them where the other side has others, or in other brackets or types: a
+                     ///< wrong port, or another manner
     Yes,
 };
 

@@ -111,6 +111,17 @@ void drop_class_of_name(Text& head) {
                    head.begin() + static_cast<std::ptrdiff_t>(end));
 }
 
+/// `auto @ ( float x ) -> float` as `float @ ( float x )`.
+void write_type_first(Text& head) {
+    const auto name = std::find(head.begin(), head.end(), "@");
+    const auto type = std::find(head.begin(), name, "auto");
+    const auto arrow = std::find(name, head.end(), "->");
+    if (type == name || name == head.end() || arrow + 1 >= head.end() || *(arrow - 1) != ")") return;
+    const Text said(arrow + 1, head.end());
+    head.erase(arrow, head.end());
+    head.insert(head.erase(head.begin() + (type - head.begin())), said.begin(), said.end());
+}
+
 /// A head with the words that say what kind of function it is, and its bounds of a launch, in one order: before its
 /// type they may stand in any.
 ///
@@ -212,6 +223,7 @@ std::vector<std::string> PlainStatements::translate(const Words& statement, bool
     if (in_head && out.size() > 3 && out[out.size() - 1] == ")" && out[out.size() - 2] == "void" &&
         out[out.size() - 3] == "(")
         out.erase(out.end() - 2);  // f(void)
+    if (in_head) write_type_first(out);
     if (in_head) write_manner_first(out, language_);
     if (in_head) drop_class_of_name(out);
     if (language_ == Language::Glsl) drop_default_sizes(out);

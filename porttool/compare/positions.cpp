@@ -66,7 +66,7 @@ Shape shape_of(const std::vector<Statement>& statements, size_t i) {
     if (ends && statement.head == Statement::kNoHead) return Shape::Other;
     const std::vector<std::string>& words = (ends ? statements[statement.head] : statement).common;
     const std::string_view first = words.empty() ? std::string_view() : std::string_view(words[0]);
-    const bool loops = is_one_of(first, {"for", "while", "do", "foreach"}), branches = first == "if" || first == "cif";
+    const bool loops = word_is(first, kLoop), branches = first == "if" || first == "cif";
     if (ends) return loops ? Shape::LoopEnd : branches ? Shape::BranchEnd : Shape::Other;
     return loops ? Shape::Loop : branches ? Shape::Branch : Shape::Plain;
 }

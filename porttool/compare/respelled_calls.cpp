@@ -78,7 +78,7 @@ struct Unscoped {
     }
 };
 
-/// `CUB_MAX` and `max`: a macro of a library for what every language has.
+/// `CUB_MAX` and `max`: what may be a macro of a library for what every language has.
 bool is_macro_for(std::string_view macro, std::string_view name) {
     constexpr std::array<std::string_view, 3> kEverywhere = {"max", "min", "abs"};
     const size_t last = macro.rfind('_');
@@ -103,7 +103,7 @@ std::optional<std::vector<RespelledCall>> only_respelled_calls(const Words& befo
         const bool is_same = letters.size() >= kLeast && letters == letters_of(today[i]);
         const bool is_macro = is_macro_for(then[i], today[i]) || is_macro_for(today[i], then[i]);
         if (!is_called(then, i) || !is_called(today, i) || !(is_same || is_macro)) return std::nullopt;
-        out.push_back({then[i], today[i]});
+        out.push_back({then[i], today[i], !is_same});
     }
     return out;
 }

@@ -14,6 +14,7 @@ namespace porttool {
 /// A function's name before an edit and after it.
 struct RespelledCall {
     std::string_view before, now;
+    bool of_macro = false;  ///< one of them is a macro, which may do anything
 };
 
 /// The calls of an edit that only calls functions by names which differ in case, underscores and `std::`; none if it

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "porttool/normal/diff.h"
 #include "porttool/scan/side.h"
@@ -99,52 +99,120 @@ double likeness(const Numbers& a, const Numbers& b) {
     return words == 0 ? 1.0 : 2.0 * static_cast<double>(common_words(a, b)) / static_cast<double>(words);
 }
 
-/// Whether statements of two texts are the most alike ones, as far as there is time to compare them.
+/// The best way to lay the statements of two texts side by side, in order, so that those that stand for each other are
+/// as alike as can be: how alike all are together.
+class BestLaying {
+public:
+    BestLaying(size_t rows, size_t columns) : columns_(columns), alike_(rows * columns) {}
+
+    double& at(size_t row, size_t column) { return alike_[row * columns_ + column]; }
+
+    double sum() const {
+        std::vector<double> row(columns_ + 1, 0);
+        for (size_t i = 0; columns_ > 0 && i < alike_.size() / columns_; ++i) {
+            double diagonal = 0;
+            for (size_t k = 0; k < columns_; ++k) {
+                const double above = row[k + 1];
+                row[k + 1] = std::max({above, row[k], diagonal + alike_[i * columns_ + k]});
+                diagonal = above;
+            }
+        }
+        return row.back();
+    }
+
+private:
+    size_t columns_;
+    std::vector<double> alike_;
+};
+
+/// Whether statements of two texts stand for each other, as far as there is time to compare them.
 class MostAlike {
 public:
     MostAlike(const std::vector<Statement>& source, const std::vector<Statement>& target) {
-        for (const Statement& statement : source) here_.push_back(numbers_.of(statement));
-        for (const Statement& statement : target) there_.push_back(numbers_.of(statement));
+        for (const Statement& statement : source) here_.push_back(read(statement));
+        for (const Statement& statement : target) there_.push_back(read(statement));
     }
 
+    /// True if no other statement of either text is more like one of the two, and, where others are as like, all
+    /// statements laid side by side are the most alike only if these two stand for each other.
+    ///
+    ///     a = clamp(a, lo, hi);      c = min(max(c, lo), hi);
+    ///     b = clamp(b, lo, hi);      d = clamp(d, lo, hi);          `d` is `b`, though `a` is as like it
     bool are(size_t source, size_t target) {
         const Numbers &here = here_[source], &there = there_[target];
         if (here == there) return true;
         double found = 0;
         if (!compare(here, there, found)) return false;
-        const auto before_there = alike_before(here, there_, target, found);
-        return before_there && before_there == alike_before(there, here_, source, found);
+        bool is_contested = false;
+        if (!is_most(here, there_, target, found, is_contested) || !is_most(there, here_, source, found, is_contested))
+            return false;
+        return !is_contested || is_best_laid(source, target);
     }
 
 private:
+    Numbers read(const Statement& statement) { return statement.is_brace() ? Numbers() : numbers_.of(statement); }
+
     bool compare(const Numbers& a, const Numbers& b, double& found) {
         constexpr size_t kMostCells = 200'000'000;  // beyond, a person is asked
-        if ((cells_ += a.size() * b.size()) > kMostCells) return false;
-        found = likeness(a, b);
+        if ((cells_ += a.size() * b.size() + 1) > kMostCells) return false;
+        found = a.empty() || b.empty() ? 0 : likeness(a, b);
         return true;
     }
 
-    /// How many of a text's statements before the one at `at` are as like the other side's, word for word as long as
-    /// that one: `first *= 2` and `second *= 2` are both as like `q *= 2`. None if one is more like it.
-    std::optional<size_t> alike_before(const Numbers& statement, const std::vector<Numbers>& others, size_t at,
-                                       double than) {
-        size_t out = 0;
+    bool is_most(const Numbers& statement, const std::vector<Numbers>& others, size_t at, double than,
+                 bool& is_contested) {
         for (size_t i = 0; i < others.size(); ++i) {
             double found = 0;
-            if (!compare(statement, others[i], found) || found > than) return {};
-            out += i < at && found == than && others[i].size() == others[at].size() ? 1 : 0;
+            if (!compare(statement, others[i], found) || found > than) return false;
+            is_contested = is_contested || (i != at && found == than);
         }
-        return out;
+        return true;
+    }
+
+    /// The statements that both texts have once stand for each other: what the others are is told between these.
+    void find_shared() {
+        std::map<Numbers, uint32_t> ids;
+        BySide<Numbers> texts;
+        BySide<std::map<uint32_t, size_t>> times;
+        for (const Side side : kBothSides)
+            for (const Numbers& statement : side == Side::Source ? here_ : there_) {
+                const auto id = ids.emplace(statement, static_cast<uint32_t>(ids.size())).first->second;
+                texts[side].push_back(id);
+                ++times[side][id];
+            }
+        shared_ = {{0, 0}};
+        for (const DiffStep& step : diff(texts.source, texts.target)) {
+            if (step.kind != DiffStep::Keep || here_[step.before].empty()) continue;
+            const uint32_t id = texts.source[step.before];
+            if (times.source[id] == 1 && times.target[id] == 1) shared_.emplace_back(step.before + 1, step.now + 1);
+        }
+        shared_.emplace_back(here_.size() + 1, there_.size() + 1);
+    }
+
+    bool is_best_laid(size_t source, size_t target) {
+        if (shared_.empty()) find_shared();
+        const auto next = std::partition_point(shared_.begin(), shared_.end(),
+                                               [&](const auto& each) { return each.first <= source; });
+        const auto [first, first_there] = *(next - 1);
+        const auto [end, end_there] = *next;
+        if (target < first_there || target + 1 >= end_there) return false;
+        BestLaying laid(end - 1 - first, end_there - 1 - first_there);
+        for (size_t i = first; i + 1 < end; ++i)
+            for (size_t k = first_there; k + 1 < end_there; ++k)
+                if (!compare(here_[i], there_[k], laid.at(i - first, k - first_there))) return false;
+        const double best = laid.sum();
+        laid.at(source - first, target - first_there) = 0;
+        constexpr double kLeast = 1e-6;
+        return laid.sum() + kLeast < best;
     }
 
     WordNumbers numbers_;
-    std::vector<Numbers> here_, there_;
+    std::vector<Numbers> here_, there_;              ///< of a brace none
+    std::vector<std::pair<size_t, size_t>> shared_;  ///< behind each, with an end before and behind all
     uint64_t cells_ = 0;
 };
 
-/// True if the edits are to statements that stand for each other: no other statement of either old text is more like
-/// what the other side's edit took away, and of several that are as like it, it is the same one in their order. Else
-/// the same words were changed in another place.
+/// True if the edits are to statements that stand for each other. Else the same words were changed in another place.
 bool same_statements(const StatementEdit& source, const StatementEdit& target) {
     if (source.lost.size() != target.lost.size() || source.gained.size() != target.gained.size()) return false;
     constexpr size_t kMostComparisons = 100'000;

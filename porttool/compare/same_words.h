@@ -17,7 +17,8 @@ namespace porttool {
 ///     or now      d = dot(n, h) * k;         e = k * dot(n, h);       another one
 ///
 /// The same words changed elsewhere are another edit: no other statement of the port's old text may be more like the
-/// source's than the one that was edited, and of those that are as like it must stand as many before.
+/// source's than the one that was edited, and where some are as like, only these two may stand for each other where the
+/// texts are laid side by side to be as alike as can be.
 bool same_words(const StatementEdit& source, const StatementEdit& target);
 
 /// Sentences: which statements one side lost or gained and the other did not, and of one that only moved in which

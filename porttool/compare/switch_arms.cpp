@@ -5,8 +5,13 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <vector>
 
+#include "porttool/compare/side_by_side.h"
+#include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
+#include "porttool/normal/normal_form.h"
+#include "porttool/normal/statements.h"
 
 namespace porttool {
 namespace {
@@ -55,31 +60,80 @@ bool is_left(const Words& tokens, size_t first, size_t end) {
     return own_block && !guarded && is_one_of(tokens[start], {"break", "return", "continue", "goto"});
 }
 
+/// What an arm says: its names, numbers and signs in common words.
+struct ArmSays {
+    std::vector<std::string> words;
+    std::multiset<std::string> signs;
+    std::set<std::string> names;
+
+    ArmSays(const Words& tokens, size_t first, size_t end, const Dialect& dialect) {
+        const std::vector<std::string> text(tokens.begin() + static_cast<std::ptrdiff_t>(first),
+                                            tokens.begin() + static_cast<std::ptrdiff_t>(end));
+        for (size_t i = 0; i < text.size(); ++i) {
+            const bool is_sign = is_number_token(text[i]) || is_operator(text, i, 0);
+            if (!is_sign && (!is_word_token(text[i]) || is_type_word(text[i]) || text[i] == "std")) continue;
+            std::string common = is_number_token(text[i]) ? number_value(text[i]) : common_word(text[i], dialect);
+            if (common.empty()) common = text[i];
+            if (is_sign && common != "=") signs.insert(common);
+            if (!is_sign) names.insert(common);
+            words.push_back(std::move(common));
+        }
+    }
+
+    /// Of the same names, for the most part.
+    bool is_of_names(const ArmSays& other) const {
+        const auto shared = std::count_if(names.begin(), names.end(),
+                                          [&](const std::string& name) { return other.names.contains(name); });
+        return 2 * static_cast<size_t>(shared) > names.size();
+    }
+};
+
+/// What a text has for a label whose arm says `here`.
+ArmsOfOther held_against(const ArmSays& here, const std::string& label, const Words& there, const Dialect& dialect) {
+    ArmsOfOther out = ArmsOfOther::None;
+    for (size_t i = 0; i < there.size(); ++i) {
+        if (there[i] != "case" || label_at(there, i) != label) continue;
+        size_t first = behind_label(there, i);
+        while (behind_label(there, first) != first) first = behind_label(there, first);
+        const ArmSays other(there, first, end_of_arm(there, first), dialect);
+        const bool says_others = here.is_of_names(other) && other.is_of_names(here) &&
+                                 (here.signs != other.signs || here.names == other.names);
+        const ArmsOfOther found = here.words == other.words ? ArmsOfOther::Same
+                                  : says_others             ? ArmsOfOther::Others
+                                                            : ArmsOfOther::Any;
+        out = std::max(out, found);
+    }
+    return out;
+}
+
 }  // namespace
 
-bool only_adds_arms_of_other(const Words& before, const Words& now, const Words& other) {
-    const std::set<std::string> then = labels_of(before), there = labels_of(other);
+ArmsOfOther arms_of_other(const LoneTexts& texts, const Dialect& dialect) {
+    const Words& now = texts.now;
+    const std::set<std::string> then = labels_of(texts.before);
     Words rest;
+    ArmsOfOther out = ArmsOfOther::Same;
     bool any = false;
     for (size_t i = 0; i < now.size();) {
         const size_t start = i;
-        bool all_new = false, all_known = true;
+        std::vector<std::string> labels;
         while (behind_label(now, i) != i && !then.contains(label_at(now, i))) {
-            all_new = true;
-            all_known = all_known && there.contains(label_at(now, i));
+            labels.push_back(label_at(now, i));
             i = behind_label(now, i);
         }
-        if (!all_new) {
+        if (labels.empty()) {
             rest.push_back(now[i++]);
             continue;
         }
         const size_t end = end_of_arm(now, i);
         const bool falls_in = start > 0 && !is_one_of(now[start - 1], {";", "}", "{"});  // behind another label
-        if (!all_known || falls_in || !is_left(now, i, end)) return false;
+        if (falls_in || !is_left(now, i, end)) return ArmsOfOther::None;
+        const ArmSays here(now, i, end, dialect);
+        for (const std::string& label : labels) out = std::min(out, held_against(here, label, texts.other, dialect));
         any = true;
         i = end;
     }
-    return any && rest == before;
+    return any && rest == texts.before ? out : ArmsOfOther::None;
 }
 
 }  // namespace porttool

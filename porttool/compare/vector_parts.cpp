@@ -116,6 +116,12 @@ bool is_steady(const Text& argument, bool may_change) {
     });
 }
 
+/// True for languages whose vectors have names for colours, too, and nobody else's type bears a vector's name.
+bool has_swizzles(Language language) {
+    return language == Language::OpenCl || language == Language::Glsl || language == Language::Metal ||
+           language == Language::Hlsl || language == Language::Slang;
+}
+
 /// True for what declares nothing though a name follows it.
 bool is_no_type(std::string_view word) {
     return is_one_of(word, {"return", "else", "case", "goto", "in", "out", "inout", "const", "do", "discard"});
@@ -132,10 +138,13 @@ size_t after_class_of_vectors(const Words& text, size_t i) {
 
 }  // namespace
 
-void note_vectors(const Words& text, VectorNames& names) {
-    for (size_t i = 0; i + 2 < text.size(); ++i)
-        if (is_word_token(text[i + 1]) && is_one_of(text[i + 2], {",", ")", ";", "="}) && is_vector_type(text[i]))
-            names.insert(text[i + 1]);
+void note_vectors(const Words& text, Language language, VectorNames& names) {
+    for (size_t i = 0; i + 2 < text.size(); ++i) {
+        const bool is_declared =
+            is_word_token(text[i + 1]) && is_one_of(text[i + 2], {",", ")", ";", "="}) && is_vector_type(text[i]);
+        const bool of_library = i > 1 && text[i - 1] == "::" && text[i - 2] == "glm";
+        if (is_declared && (of_library || has_swizzles(language))) names.insert(text[i + 1]);
+    }
 }
 
 void write_plain_components(Words& statement, const VectorNames& names) {
@@ -147,10 +156,7 @@ void write_plain_components(Words& statement, const VectorNames& names) {
     }
 }
 
-/// True for languages in which a vector's name is nobody else's.
-bool VectorSpelling::brings_vectors() const {
-    return language_ == Language::OpenCl || language_ == Language::Glsl || language_ == Language::Metal || is_hlsl();
-}
+bool VectorSpelling::brings_vectors() const { return has_swizzles(language_); }
 
 void VectorSpelling::note(const Words& text) {
     for (size_t i = 0; i + 2 < text.size(); ++i) {
@@ -211,7 +217,7 @@ bool VectorSpelling::is_vector_before(const Text& words, size_t end) const {
 void VectorSpelling::write_parts(Text& words) const {
     const bool has_elements = brings_vectors() && language_ != Language::OpenCl;
     for (size_t i = 1; i + 1 < words.size(); ++i) {
-        if (words[i] == "." && is_word_token(words[i + 1]) && word_at(words, i + 2) != "(") {
+        if (brings_vectors() && words[i] == "." && is_word_token(words[i + 1]) && word_at(words, i + 2) != "(") {
             std::string plain = plain_part(words[i + 1]);
             if (plain != words[i + 1] && is_vector_before(words, i)) words[i + 1] = std::move(plain);
         }

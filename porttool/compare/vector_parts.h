@@ -13,9 +13,10 @@
 
 namespace porttool {
 
-/// The names that a text declares as vectors: `vec3 v`.
+/// The names that a text declares as vectors of which each part has more than one name: `vec3 v`. In C++ and CUDA that
+/// may be anything, but for `glm :: vec3 v`.
 using VectorNames = std::unordered_set<std::string_view>;
-void note_vectors(const Words& text, VectorNames& names);
+void note_vectors(const Words& text, Language language, VectorNames& names);
 
 /// Writes the components of colours and texture coordinates of these as those of positions: `v . rg` is `v . xy`.
 void write_plain_components(Words& statement, const VectorNames& names);

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <set>
 
+#include "porttool/compare/alignment.h"
 #include "porttool/compare/asides.h"
+#include "porttool/compare/paired_names.h"
 #include "porttool/normal/locals.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/scan/scan.h"
@@ -86,10 +88,13 @@ std::string of_words_in(const NormalText& text, const std::string& difference) {
 
 /// True if nothing but what is printed, checked or timed has the words of an edit.
 bool are_words_of_asides(const UnitState& unit, std::string_view edit) {
-    const Words rest = without_asides(unit.text.words());
+    const Words text = unit.text.words(), rest = without_asides(text);
+    const auto has = [](const Words& words, std::string_view word) {
+        return std::find(words.begin(), words.end(), word) != words.end();
+    };
     const auto edited = words_with_macros(edit);
-    return std::none_of(edited.begin(), edited.end(), [&](const auto& one) {
-        return one.first.ends_with('*') || std::find(rest.begin(), rest.end(), plain_word(one.first)) != rest.end();
+    return std::all_of(edited.begin(), edited.end(), [&](const auto& one) {
+        return !one.first.ends_with('*') && has(text, plain_word(one.first)) && !has(rest, plain_word(one.first));
     });
 }
 
@@ -139,7 +144,8 @@ void MacroEdits::judge(JudgedPair& pair, const LockedPair* line) {
     BySide<std::string> declared;
     for (const Side side : kBothSides) declared[side] = declared_edit(pair, *line, side);
     const bool both = !declared.source.empty() && !declared.target.empty();
-    if (both && values_of(pair, Side::Source, declared.source) == values_of(pair, Side::Target, declared.target))
+    if (both && values_of(pair, Side::Source, declared.source) == values_of(pair, Side::Target, declared.target) &&
+        stand_for_each_other(pair, declared))
         declared = {};
     for (const Side side : kBothSides)
         if (!declared[side].empty()) edits[side] += (edits[side].empty() ? "" : " ") + declared[side];
@@ -185,11 +191,21 @@ std::string MacroEdits::declared_edit(const JudgedPair& pair, const LockedPair& 
     for (const auto& [word, hash] : words_with_macros(changed)) {
         const auto declared = macros(side).first_seen(unit->file, word);
         const bool is_one = word != "=*";
-        if (is_one && (!declared || !uses_word(unit->text, plain_word(word)) || is_told_elsewhere(side, *declared)))
-            continue;
+        const bool is_used = is_one && (uses_word(unit->text, plain_word(word)) || leads_to(*unit, side, word));
+        if (is_one && (!declared || !is_used || is_told_elsewhere(side, *declared))) continue;
         out += (out.empty() ? "" : " ") + std::string(word) + ":" + std::string(hash);
     }
     return out;
+}
+
+/// True if a word that the text uses is declared by another one, by whatever steps.
+bool MacroEdits::leads_to(const UnitState& unit, Side side, std::string_view word) {
+    std::set<std::string_view> names;
+    for (size_t i = 0; i < unit.text.size(); ++i)
+        if (is_word_token(unit.text[i])) names.insert(unit.text[i]);
+    return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+        return macros(side).leads_to(name, plain_word(word)) && uses_word(unit.text, name);
+    });
 }
 
 /// True for what is a unit in a pair, or under an `[[ignore]]`; and, with a merge base, for types: NewNames tells of
@@ -220,6 +236,33 @@ std::multiset<std::string> MacroEdits::values_of(const JudgedPair& pair, Side si
         if (const auto declared = macros(side).first_seen(pair.unit[side]->file, word))
             out.insert(value_of(declared->text));
     return out;
+}
+
+/// False if one word was edited on each side, and the texts laid side by side have another name where it stands.
+bool MacroEdits::stand_for_each_other(const JudgedPair& pair, const BySide<std::string>& edits) const {
+    BySide<std::vector<std::string>> texts;
+    BySide<std::string_view> edited;
+    for (const Side side : kBothSides) {
+        const auto words = words_with_macros(edits[side]);
+        if (words.size() != 1) return true;
+        edited[side] = plain_word(words.begin()->first);
+        const Words text = pair.unit[side]->text.words();
+        texts[side].assign(text.begin(), text.end());
+    }
+    const Dialect dialect = dialect_of_edits(facts_.map);
+    WordKeys keys(dialect);
+    const AlignedText a = keys.text(texts.source, false), b = keys.text(texts.target, false);
+    const Alignment laid = align(a, b, {});
+    bool is_other = false;
+    for (size_t i = 0; i < texts.source.size(); ++i) {
+        const size_t there = laid.word_of[i];
+        if (there == Alignment::kNone) continue;
+        const bool here_it_is = texts.source[i] == edited.source, there_it_is = texts.target[there] == edited.target;
+        if (here_it_is && there_it_is) return true;
+        is_other = is_other || (here_it_is && is_word_token(texts.target[there])) ||
+                   (there_it_is && is_word_token(texts.source[i]));
+    }
+    return !is_other;
 }
 
 /// True if the pair has a finding on the edit of that side's own text: one look at it sees both.

@@ -38,8 +38,10 @@ private:
 
     std::string edit_of(const JudgedPair& pair, const LockedPair& line, Side side);
     std::string declared_edit(const JudgedPair& pair, const LockedPair& line, Side side);
+    bool leads_to(const UnitState& unit, Side side, std::string_view word);
     bool is_told_elsewhere(Side side, const WordMacro& declared);
     std::multiset<std::string> values_of(const JudgedPair& pair, Side side, const std::string& edit);
+    bool stand_for_each_other(const JudgedPair& pair, const BySide<std::string>& edits) const;
     std::string now_of(const JudgedPair& pair, const LockedPair& line, Side side);
     void tell(JudgedPair& pair, Side side, const std::string& edit);
     bool is_told_by_edit(const JudgedPair& pair, const Finding& of_macros) const;

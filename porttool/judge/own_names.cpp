@@ -3,8 +3,12 @@
 #include "porttool/judge/own_names.h"
 
 #include <algorithm>
+#include <cctype>
+#include <set>
 
 #include "porttool/language/spelling.h"
+#include "porttool/normal/locals.h"
+#include "porttool/scan/declared_words.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
@@ -33,23 +37,53 @@ bool stands_for_precision(std::string_view scope) {
     return false;
 }
 
-/// True if a text has `using WHAT;`, whatever blanks stand in it.
-bool has_using(std::string_view text, std::string_view what) {
-    constexpr std::string_view kUsing = "using", kBlanks = " \t\r\n";
-    for (size_t at = text.find(kUsing); at != std::string_view::npos; at = text.find(kUsing, at + 1)) {
-        const size_t end = std::min(text.find(';', at), text.size());
-        std::string words;
-        bool gap = false;
-        for (size_t i = text.find_first_not_of(kBlanks, at + kUsing.size()); i < end; ++i) {
-            const bool is_blank = kBlanks.find(text[i]) != std::string_view::npos;
-            if (!is_blank && gap && words == "namespace") words += ' ';
-            if (!is_blank) words += text[i];
-            gap = is_blank;
-            if (words.size() > what.size()) break;
-        }
-        if (words == what) return true;
+/// True for what C has for whole numbers alone, in languages where that may be meant: `abs` is not `std::abs`.
+bool is_of_whole_numbers_alone(std::string_view name, const UnitState& unit) {
+    const Language language = language_of_path(unit.file);
+    return name == "abs" && (language == Language::Cpp || language == Language::Sycl);
+}
+
+/// The next name in a text from `at` on, which is behind it then; "" for none before `end`.
+std::string_view next_name(std::string_view text, size_t& at, size_t end) {
+    const auto is_letter = [&](size_t i) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        return c == '_' || std::isalnum(c) != 0;
+    };
+    while (at < end && !is_letter(at)) ++at;
+    const size_t first = at;
+    while (at < end && is_letter(at)) ++at;
+    return text.substr(first, at - first);
+}
+
+/// Where a line of the preprocessor ends.
+size_t end_of_line(std::string_view text, size_t at) {
+    size_t end = std::min(text.find('\n', at), text.size());
+    while (end < text.size() && end > 0 && (text[end - 1] == '\\' || (text[end - 1] == '\r' && text[end - 2] == '\\')))
+        end = std::min(text.find('\n', end + 1), text.size());
+    return end;
+}
+
+/// A path as text_of() has it: `a :: b`.
+std::string apart(std::string_view path) {
+    std::string out;
+    for (size_t at = 0;;) {
+        const size_t end = path.find("::", at);
+        out += path.substr(at, end - at);
+        if (end == std::string_view::npos) return out;
+        out += " :: ";
+        at = end + 2;
     }
-    return false;
+}
+
+/// True if some of the words are these, one after another.
+bool has_in_a_row(const Words& words, std::string_view apart_by_blanks) {
+    std::vector<std::string_view> wanted;
+    for (size_t at = 0; at < apart_by_blanks.size();) {
+        const size_t end = std::min(apart_by_blanks.find(' ', at), apart_by_blanks.size());
+        wanted.push_back(apart_by_blanks.substr(at, end - at));
+        at = end + 1;
+    }
+    return std::search(words.begin(), words.end(), wanted.begin(), wanted.end()) != words.end();
 }
 
 }  // namespace
@@ -66,6 +100,7 @@ const std::vector<const UnitState*>* OwnNames::of(Side side, std::string_view na
 
 bool OwnNames::is_one_thing(const RescopedName& name, const UnitState& unit, Side side) {
     if (name.scope.empty()) return true;
+    if (is_of_whole_numbers_alone(name.name, unit)) return false;
     const bool of_library = is_scope_of_library(name.scope);
     if (!of_library && (stands_for_precision(name.scope) ||
                         !(is_around(name.scope, unit) || is_seen_without(name.scope, name.name, unit, side))))
@@ -79,15 +114,45 @@ bool OwnNames::is_one_thing(const RescopedName& name, const UnitState& unit, Sid
            });
 }
 
-/// True if the unit's file opens a namespace, or takes a name out of it.
+bool OwnNames::are_locals_in_macros(const Words& text, Side side) const {
+    if (!facts_.files) return false;
+    const std::vector<size_t> numbers = local_numbers(text);
+    std::set<std::string_view> locals, used;
+    for (size_t i = 0; i < text.size(); ++i) (i < numbers.size() && numbers[i] != 0 ? locals : used).insert(text[i]);
+    const FilesOfSide& files = (*facts_.files)[side];
+    constexpr std::string_view kDefine = "define";
+    for (size_t i = 0; i < files.size(); ++i) {
+        const std::string_view file = files.text(i);
+        for (size_t at = file.find(kDefine); at != std::string_view::npos; at = file.find(kDefine, at)) {
+            at += kDefine.size();
+            const size_t end = end_of_line(file, at);
+            if (!used.contains(next_name(file, at, end))) continue;
+            while (at < end)
+                if (locals.contains(next_name(file, at, end))) return true;
+        }
+    }
+    return false;
+}
+
+/// True if the unit's file, or the unit itself, opens a namespace, or takes a name out of it.
 bool OwnNames::is_seen_without(std::string_view scope, std::string_view name, const UnitState& unit, Side side) const {
     if (!facts_.files || scope.size() < 2) return false;
+    const std::string path = apart(scope.substr(0, scope.size() - 2)), opens = "using namespace " + path,
+                      brings = "using " + path + " :: " + std::string(name);
+    const Words words = unit.text.words();
+    if (has_in_a_row(words, opens + " ;") || has_in_a_row(words, brings + " ;")) return true;
     const FilesOfSide& files = (*facts_.files)[side];
-    const std::string path(scope.substr(0, scope.size() - 2));
-    for (size_t i = 0; i < files.size(); ++i)
-        if (files.path(i) == unit.file)
-            return has_using(files.text(i), "namespace " + path) ||
-                   has_using(files.text(i), path + "::" + std::string(name));
+    for (size_t i = 0; i < files.size(); ++i) {
+        if (files.path(i) != unit.file) continue;
+        const ScannedFile& file = files.scanned(i);
+        const std::vector<DeclaredWord> declared = declared_words(file);
+        return std::any_of(declared.begin(), declared.end(), [&](const DeclaredWord& one) {
+            const bool may_be = one.kind == DeclaredWord::Kind::Opened || one.kind == DeclaredWord::Kind::Brought;
+            std::string says = may_be ? text_of(file, one) : std::string();
+            while (says.ends_with(' ') || says.ends_with(';')) says.pop_back();
+            return may_be && (says == opens || says == brings);
+        });
+    }
     return false;
 }
 

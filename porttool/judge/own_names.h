@@ -30,6 +30,9 @@ public:
     ///     native :: sin          sin              two, of which one is less exact
     bool is_one_thing(const RescopedName& name, const UnitState& unit, Side side);
 
+    /// True if a macro that a text uses, defined anywhere on its side, says the name of one of the text's locals.
+    bool are_locals_in_macros(const Words& text, Side side) const;
+
 private:
     using ByName = std::unordered_map<std::string_view, std::vector<const UnitState*>>;
 

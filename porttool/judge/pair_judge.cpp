@@ -8,6 +8,7 @@
 #include "porttool/compare/asides.h"
 #include "porttool/compare/common_ground.h"
 #include "porttool/compare/computed_values.h"
+#include "porttool/compare/grouping.h"
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
 #include "porttool/compare/named_parts.h"
@@ -313,14 +314,19 @@ void PairJudge::report_one(JudgedPair& pair, const PairComparison& found, const 
 }
 
 /// True if both names of each call are most likely one function's: of a library, and as exact, or of the side itself,
-/// where it bore the name from before. A function under a new name that only looks like the old one is another.
-bool PairJudge::call_the_same(const std::vector<RespelledCall>& calls, Side side) const {
+/// where it bore the name from before. A function under a new name that only looks like the old one is another. A macro
+/// is what it looks like where the other side's text says the function that it became.
+bool PairJudge::call_the_same(const std::vector<RespelledCall>& calls, Side side, const Words& there) const {
     const auto was_called = [&](std::string_view name, const UnitState& unit) {
         return std::any_of(facts_.lock.baseline.begin(), facts_.lock.baseline.end(), [&](const LockedUnit& line) {
             return line.prints.renamed == unit.prints.renamed && bare_leaf_of(split_id(line.id).second) == name;
         });
     };
+    const auto is_there = [&](std::string_view name) {
+        return std::find(there.begin(), there.end(), name) != there.end();
+    };
     return std::all_of(calls.begin(), calls.end(), [&](const RespelledCall& call) {
+        if (call.of_macro && (!is_there(call.now) || is_there(call.before))) return false;
         const std::vector<const UnitState*>*was = own_names_.of(side, call.before), *is = own_names_.of(side, call.now);
         if (was != nullptr) return false;
         if (is != nullptr) return was_called(call.before, *is->front());
@@ -352,7 +358,8 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
     }
     if (only_follows_runtime(texts.before, texts.now))
         return weaken(pair, finding, Level::Note, "it only calls a runtime as its later, or earlier, version wants");
-    if (const auto calls = only_respelled_calls(texts.before, texts.now); calls && call_the_same(*calls, side))
+    if (const auto calls = only_respelled_calls(texts.before, texts.now);
+        calls && call_the_same(*calls, side, texts.other))
         return weaken(pair, finding, Level::Note, "it only calls the same by another spelling");
     if (without_asides(texts.before) == without_asides(texts.now))
         return weaken(pair, finding,
@@ -367,7 +374,8 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
         return weaken(pair, finding, Level::Note,
                       names_parts ? "it only names a part, or writes it out"
                                   : "it computes what it computed before, in other statements");
-    if (only_concerns_unread_locals(texts.before, texts.now, dialect_))
+    if (only_concerns_unread_locals(texts.before, texts.now, dialect_) &&
+        !own_names_.are_locals_in_macros(texts.before, side) && !own_names_.are_locals_in_macros(texts.now, side))
         return weaken(pair, finding, Level::Note, "it only brings or takes names that nothing reads");
     // What the port holds before it is given anything is its own matter; the source may have mended a fault of both.
     const bool is_own_matter = !is_contract(facts_.map.reference, side);
@@ -379,8 +387,12 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
                       "it only keeps house with a runtime that " + there_is + " does not call");
     if (only_adds_labels_of_other(texts.before, texts.now, texts.other))
         return weaken(pair, finding, Level::Note, there_is + " has the label in that arm already");
-    if (only_adds_arms_of_other(texts.before, texts.now, texts.other))
-        return weaken(pair, finding, Level::Note, there_is + " has an arm for each of these labels");
+    if (const auto arms = arms_of_other(texts, dialect_); arms != ArmsOfOther::None) {
+        if (arms != ArmsOfOther::Others)
+            weaken(pair, finding, arms == ArmsOfOther::Same ? Level::Note : Level::Warning,
+                   there_is + " has an arm for each of these labels");
+        return;
+    }
     if (const Nearing nearing = draws_nearer(texts, dialect_); nearing != Nearing::No) {
         const bool in_order = nearing == Nearing::Yes;
         return weaken(pair, finding, in_order && !only_takes(texts.before, texts.now) ? Level::Note : Level::Warning,
@@ -433,7 +445,8 @@ void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& be
     else if (is_declared_alike && (edits_spot_by_spot(texts, dialect_) || edits_spot_by_spot(learned, dialect_)))
         weaken(pair, finding, Level::Note, "word for word the same came and went, at the same places");
     else if (edits_in_own_words(texts, dialect_))
-        weaken(pair, finding, Level::Note, "each side says for the most part what the other does");
+        weaken(pair, finding, grouping_of_edits(texts, dialect_) == Grouping::Alike ? Level::Note : Level::Warning,
+               "each side says for the most part what the other does");
     else if (is_declared_alike && (edits_leave_no_difference(texts, dialect_, languages) ||
                                    edits_leave_no_difference(learned, dialect_, languages)))
         weaken(pair, finding, Level::Note, "what came is the same, and what each had in its own words is gone");

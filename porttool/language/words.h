@@ -55,6 +55,7 @@ enum WordRole : Roles {
     kPromise = 1ull << 33,        ///< says something of a name and changes no value, wherever it stands
     kHeadPromise = 1ull << 34,    ///< the same in a function's head: how it is called or linked, what it may assume
     kIdleAttribute = 1ull << 35,  ///< the same as an attribute: in brackets, or an argument of `__attribute__`
+    kLoop = 1ull << 36,           ///< heads a loop
 };
 
 /// The roles that a word has in every language; 0 for what is only a name.

@@ -128,6 +128,7 @@ std::string WordMacros::of(const std::string& path, const UnitText& text) {
     if (by_word_.empty() && declared_.empty()) return "+";
     std::map<std::string_view, std::string_view> macros, declared;
     std::unordered_map<std::string_view, std::string>* hashes = nullptr;  // of the path
+    std::vector<Word*> open;  // declared words whose own words are to be looked up
     const auto look_up = [&](std::unordered_map<std::string_view, Word>& words, std::string_view word, bool declares,
                              std::map<std::string_view, std::string_view>& found) {
         const auto defined = words.find(word);
@@ -136,13 +137,20 @@ std::string WordMacros::of(const std::string& path, const UnitText& text) {
         const std::string_view key = declares ? defined->second.definitions[0].line->word : defined->first;
         const auto [known, is_new] = hashes->try_emplace(key);
         if (is_new) known->second = hash_seen(path, defined->second);
-        if (!known->second.empty()) found.emplace(defined->first, known->second);
+        if (known->second.empty()) return;
+        found.emplace(defined->first, known->second);
+        if (declares) open.push_back(&defined->second);
     };
     text.each_name([&](std::string_view word) {
         if (!sieve_.may_have(word)) return;
         look_up(by_word_, word, false, macros);
         look_up(declared_, word, true, declared);
     });
+    while (!open.empty() && declared.size() <= kMostWords) {
+        Word& next = *open.back();
+        open.pop_back();
+        for (const std::string_view word : used_by(next)) look_up(declared_, word, true, declared);
+    }
     std::string names, keywords, said;
     size_t count = 0;
     for (const auto& [word, hash] : macros) {
@@ -158,6 +166,37 @@ std::string WordMacros::of(const std::string& path, const UnitText& text) {
     return out;
 }
 
+const std::vector<std::string_view>& WordMacros::used_by(Word& declared) {
+    if (declared.used) return *declared.used;
+    std::vector<std::string_view>& out = declared.used.emplace();
+    for (const Definition& one : declared.definitions) {
+        const std::string_view text = one.line->text;
+        for (size_t at = 0; at < text.size();) {
+            const size_t end = std::min(text.find(' ', at), text.size());
+            const std::string_view word = text.substr(at, end - at);
+            if (const auto found = declared_.find(word); found != declared_.end() && &found->second != &declared)
+                out.push_back(found->first);
+            at = end + 1;
+        }
+    }
+    return out;
+}
+
+bool WordMacros::leads_to(std::string_view word, std::string_view other) {
+    std::unordered_set<std::string_view> seen = {word};
+    std::vector<std::string_view> open = {word};
+    while (!open.empty()) {
+        const auto found = declared_.find(open.back());
+        open.pop_back();
+        if (found == declared_.end()) continue;
+        for (const std::string_view next : used_by(found->second)) {
+            if (next == other) return true;
+            if (seen.insert(next).second) open.push_back(next);
+        }
+    }
+    return false;
+}
+
 void WordMacros::sort_by_file(Word& defined) {
     for (size_t i = 0; i < defined.definitions.size(); ++i) {  // in the order of the files
         const Definition& one = defined.definitions[i];
@@ -167,10 +206,19 @@ void WordMacros::sort_by_file(Word& defined) {
     }
     std::set<std::string> all;
     for (InFile& one : defined.by_file) {
+        const bool in_order = one.hashes.size() > 1 && defined.definitions[one.first].line->word.starts_with('=');
+        if (in_order) one.hashes = {hash_in_order(defined, one)};  // values may change places among namespaces
         if (one.hashes.size() > kMostTexts) one.hashes = {hash_of(one.hashes)};
         all.insert(one.hashes.begin(), one.hashes.end());
     }
     defined.hash_of_all = hash_of(all);
+}
+
+std::string WordMacros::hash_in_order(const Word& defined, const InFile& in) {
+    std::vector<std::string_view> texts;
+    for (size_t i = in.first; i < defined.definitions.size() && defined.definitions[i].file == in.file; ++i)
+        texts.push_back(defined.definitions[i].line->text);
+    return hash_of(texts);
 }
 
 /// The files in which a word is defined for `path`, in order.

@@ -65,12 +65,15 @@ public:
     /// but for keywords and types of C, which stand behind. Without the plus: as it was noted when those did not count.
     /// Takes time in line with the text, whatever there is of definitions: those of a word are looked through once for
     /// each file.
-    /// Behind that what the file and those it includes declare of words of the text, `=gain:5f0c6a417b2d9e03`, if
-    /// anything; many are one, too.
+    /// Behind that what the file and those it includes declare of words of the text, and of the words that these
+    /// declarations use in turn, `=gain:5f0c6a417b2d9e03`, if anything; many are one, too.
     std::string of(const std::string& path, const UnitText& text);
 
     /// The first macro of that name which a file sees, by file and line; behind `=` the first declaration.
     std::optional<WordMacro> first_seen(const std::string& path, std::string_view word);
+
+    /// True if what is declared of one word uses the other, by whatever steps: `const float gain = 2 * base;`.
+    bool leads_to(std::string_view word, std::string_view other);
 
     /// True if a file includes another of the side, by whatever steps, as far as can be said.
     bool sees(const std::string& path, const std::string& included);
@@ -90,6 +93,8 @@ private:
         std::vector<Definition> definitions;
         std::vector<InFile> by_file;  ///< sorted; filled when first asked
         std::string hash_of_all;      ///< the same
+        std::optional<std::vector<std::string_view>>
+            used;  ///< words that its declarations use; filled when first asked
     };
     /// Files by their places in `files_`, sorted; all of them where more than a bound were to be followed.
     struct Files {
@@ -98,6 +103,8 @@ private:
     };
 
     static void sort_by_file(Word& defined);
+    static std::string hash_in_order(const Word& defined, const InFile& in);
+    const std::vector<std::string_view>& used_by(Word& declared);
     std::string hash_seen(const std::string& path, Word& defined);
     std::vector<const InFile*> seen_in(const std::string& path, Word& defined);
     const Files& seen_files(const std::string& path);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "porttool/compare/alike_spots.h"
+#include "porttool/compare/grouping.h"
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/own_words.h"
 #include "porttool/compare/settled_edits.h"
@@ -58,7 +59,9 @@ bool is_edited_in_same_words(const JudgedPair& pair, const BySide<NormalText>& b
     const Words source_before = without_prelude(old_source), source_now = without_prelude(new_source),
                 target_before = without_prelude(old_target), target_now = without_prelude(new_target);
     const PairTexts texts{source_before, source_now, target_before, target_now};
-    if (edits_spot_by_spot(texts, dialect) || (in_place && edits_in_own_words(texts, dialect))) return true;
+    if (edits_spot_by_spot(texts, dialect) ||
+        (in_place && edits_in_own_words(texts, dialect) && grouping_of_edits(texts, dialect) == Grouping::Alike))
+        return true;
     const LearnedWords said = in_words_of_target(texts, dialect, {pair.id.source, pair.id.target});
     return edits_spot_by_spot({said.before, said.now, target_before, target_now}, dialect);
 }

@@ -265,6 +265,8 @@ const std::vector<LabelledEdit> kSilent = {
     // one component of what the text declares as a vector
     {".glsl", "float f(vec3 v) { return v.x; }", "v.x", "v.r"},
     {".comp", "float f(vec4 v) { vec2 w = v.zw; return w.y; }", "v.zw", "v.pq"},
+    // where the type stands that a function gives back
+    {".cpp", "float f(float x) { return x; }", "float f(float x)", "auto f(float x) -> float"},
     // another spelling of one type
     {".c", kC, "unsigned int k", "uint32_t k"},
     {".cpp", kC, "unsigned int k = (unsigned int)sum", "unsigned int k = sum"},
@@ -332,6 +334,12 @@ const std::vector<LabelledEdit> kHarmful = {
     {".c", kPragma, "reduction(+:sum)", "reduction(*:sum)"},
     {".glsl", "struct P { float r; float x; };\nfloat f(P v) { return v.x; }", "v.x", "v.r"},
     {".glsl", "float f(vec3 v) { return v.x; }", "v.x", "v.g"},
+    {".cpp", "float f(float x) { return x; }", "float f(float x)", "auto f(float x) -> double"},
+    {".cpp", "auto f(float x) { return x; }", "auto f(float x)", "auto f(float x) -> double"},
+    // C++ and CUDA have no second name for a part: what is called so may be any type
+    {".cu", "struct half4 { float x, y, r, g; };\nfloat f(half4 v) { return v.x; }", "return v.x", "return v.r"},
+    {".cpp", "float f(float4 v) { return v.x; }", "v.x", "v.r"},
+    {".cpp", "float f(vec4 v) { return v.x; }", "v.x", "v.r"},
     {".c", kGlobals, "static volatile int ready", "static int ready"},
     {".c", kGlobals, "static float cache", "float cache"},
     {".cu", kGlobals, "__device__ int counter", "__device__ volatile int counter"},

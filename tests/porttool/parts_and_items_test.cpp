@@ -201,5 +201,137 @@ TEST(PartsAndItems, APartThatBothSidesNameIsOfThatPartAlone) {
     expect_all(pair, {{"x", {{"v.x * k", "v.x / k"}, {"v.x * k", "v.x / k"}}, true}});
 }
 
+/// An edit that puts a statement behind `at` on both sides.
+Replaced behind(const std::string& what, const std::string& at, const std::string& in_source,
+                const std::string& in_target, bool in_step) {
+    return {what, {{at, at + " " + in_source}, {at, at + " " + in_target}}, in_step};
+}
+
+TEST(PartsAndItems, AReturnFromWithinMoreLoopsEndsMore) {
+    const std::string inner = "for (int k = 0; k < m; ++k) { x = x * w[k]; p[i] = x; }";
+    const SidesOfPair pair = {"k.cu",
+                              "__global__ void f(float* p, const float* w, int n, int m, float k0) {\n"
+                              "    int i = blockIdx.x * blockDim.x + threadIdx.x;\n    if (i >= n) return;\n"
+                              "    float x = p[i];\n    " +
+                                  inner + "\n}\n",
+                              "k.cpp",
+                              "void f(float* p, const float* w, int n, int m, float k0) {\n"
+                              "    for (int i = 0; i < n; ++i) {\n        float x = p[i];\n        " +
+                                  inner + "\n    }\n}\n"};
+    const std::string at = "x = x * w[k];";
+    expect_all(
+        pair,
+        {behind("both return", at, "if (x < k0) return;", "if (x < k0) return;", false),
+         behind("the port goes on", at, "if (x < k0) return;", "if (x < k0) continue;", false),
+         behind("both go on", at, "if (x < k0) continue;", "if (x < k0) continue;", true),
+         behind("both break", at, "if (x < k0) break;", "if (x < k0) break;", true),
+         behind("one breaks", at, "if (x < k0) break;", "if (x < k0) continue;", false),
+         behind("before the loop", "float x = p[i];", "if (x < k0) return;", "if (x < k0) continue;", true),
+         behind("a switch is left", "float x = p[i];", "switch (m) { case 1: return; case 2: x = k0; break; }",
+                "switch (m) { case 1: break; case 2: x = k0; break; }", false),
+         behind("an item ends in a switch", "float x = p[i];", "switch (m) { case 1: return; case 2: x = k0; break; }",
+                "switch (m) { case 1: continue; case 2: x = k0; break; }", true)});
+}
+
+TEST(PartsAndItems, WhatGoesOnWithoutAStepGoesOnForever) {
+    const std::string kernel =
+        "__global__ void f(float* p, int n, float k) {\n    int i = blockIdx.x * blockDim.x + threadIdx.x;\n"
+        "    if (i >= n) return;\n    float x = p[i];\n    p[i] = x * k;\n}\n";
+    const auto port = [](const std::string& head, const std::string& step) {
+        return "void f(float* p, int n, float k) {\n    int i = 0;\n    " + head +
+               " {\n        float x = p[i];\n        p[i] = x * k;\n" + step + "    }\n}\n";
+    };
+    const auto expect = [&](const std::string& head, const std::string& step, const std::string& ends, bool in_step) {
+        expect_all({"k.cu", kernel, "k.cpp", port(head, step)},
+                   {behind(head + " " + step + " " + ends, "float x = p[i];", "if (x < k) return;",
+                           "if (x < k) " + ends, in_step)});
+    };
+    expect("while (i < n)", "++i;", "continue;", false);
+    expect("while (i < n)", "++i;", "{ ++i; continue; }", true);
+    expect("while (i < n)", "i += 1;", "{ i += 1; continue; }", true);
+    expect("while (i < n)", "i += 1;", "{ i += 2; continue; }", false);
+    expect("while (i < n)", "++i; k += 2;", "{ k += 2; continue; }", false);
+    expect("while (true)", "++i; if (i >= n) break;", "continue;", false);
+    expect("for (; i < n;)", "++i;", "continue;", false);
+    expect("for (; i < n; ++i)", "", "continue;", true);
+    expect("while (++i < n)", "", "continue;", true);
+    expect("while (next(i, n))", "", "continue;", true);
+    expect("FOR_ITEMS(i, n)", "", "continue;", true);
+    expect("FOR_ITEMS(i, n)", "", "return;", false);
+    expect("for (int i : all)", "", "return;", false);
+    expect("\n#pragma omp parallel for\n    for (; i < n; ++i)", "", "continue;", true);
+    expect("\n#pragma omp parallel for\n    for (; i < n; ++i)", "", "return;", false);
+    expect("\n#pragma unroll(4)\n    FOR_ITEMS(i, n)", "", "return;", false);
+}
+
+TEST(PartsAndItems, PartsGoByAnyName) {
+    const std::string whole =
+        "__device__ float3 f(float3 c, float k, float e, float m) {\n    c *= k;\n    c = c + e;\n    return c * "
+        "m;\n}\n";
+    for (const std::vector<std::string>& names : std::vector<std::vector<std::string>>{
+             {"red", "green", "blue"}, {"lo", "mid", "hi"}, {"u", "v", "t"}, {"c0", "c1", "c2"}, {"cx", "cy", "cz"}}) {
+        std::string port = "void f(float& " + names[0] + ", float& " + names[1] + ", float& " + names[2] +
+                           ", float k, float e, float m) {\n";
+        for (const std::string& part : names) port += "    " + part + " *= k;\n";
+        for (const std::string& part : names) port += "    " + part + " = " + part + " + e;\n";
+        for (const std::string& part : names) port += "    " + part + " = " + part + " * m;\n";
+        const SidesOfPair pair = {"k.cu", whole, "k.cpp", port + "}\n"};
+        const std::pair<std::string, std::string> edit = {"c *= k;", "c *= k * 0.5f;"};
+        const auto of_part = [&](size_t i) {
+            return std::pair<std::string, std::string>(names[i] + " *= k;", names[i] + " *= k * 0.5f;");
+        };
+        expect_all(pair, {{names[0] + " alone", {edit, of_part(0)}, false},
+                          {names[1] + " alone", {edit, of_part(1)}, false},
+                          {names[2] + " alone", {edit, of_part(2)}, false},
+                          {"all of " + names[0], {edit, {" *= k;", " *= k * 0.5f;"}}, true},
+                          {"all to another number", {edit, {" *= k;", " *= k * 0.25f;"}}, false},
+                          {"all to another name", {edit, {" *= k;", " *= m * 0.5f;"}}, false}});
+    }
+}
+
+TEST(PartsAndItems, PartsOfWhatCame) {
+    const SidesOfPair pair = {
+        "k.cu", "__device__ void f(float3& p, float3 e, float3 d, float m) {\n    p += e;\n    p *= d;\n}\n", "k.cpp",
+        "void f(vec& p, vec e, vec d, float m) {\n"
+        "    p.x += e.x;\n    p.y += e.y;\n    p.z += e.z;\n"
+        "    p.x *= d.x;\n    p.y *= d.y;\n    p.z *= d.z;\n}\n"};
+    const std::string was = "p.x += e.x;\n    p.y += e.y;\n    p.z += e.z;";
+    const std::pair<std::string, std::string> edit = {"p += e;", "p += e * d;"};
+    const auto to = [&](const std::string& x, const std::string& y, const std::string& z) {
+        return std::pair<std::string, std::string>(
+            was, "p.x += e.x * " + x + ";\n    p.y += e.y * " + y + ";\n    p.z += e.z * " + z + ";");
+    };
+    expect_all(pair, {{"each its own", {edit, to("d.x", "d.y", "d.z")}, true},
+                      {"all the first's", {edit, to("d.x", "d.x", "d.x")}, false},
+                      {"two of them changed places", {edit, to("d.x", "d.z", "d.y")}, false},
+                      {"one forgotten", {edit, to("d.x", "d.y", "1.0f")}, false},
+                      {"of another vector", {edit, to("p.x", "p.y", "p.z")}, false}});
+}
+
+TEST(PartsAndItems, OfLikeStatementsTheOneThatStandsForTheOther) {
+    const SidesOfPair clamps = {"k.cu",
+                                "__device__ float f(float left, float right, float lo, float hi) {\n"
+                                "    left = clamp(left, lo, hi);\n    right = clamp(right, lo, hi);\n"
+                                "    return left - right * 2.0f;\n}\n",
+                                "k.cpp",
+                                "float f(float one, float two, float lo, float hi) {\n"
+                                "    one = std::min(std::max(one, lo), hi);\n    two = clamp(two, lo, hi);\n"
+                                "    return one - two * 2.0f;\n}\n"};
+    const std::pair<std::string, std::string> two = {"clamp(two, lo, hi)", "clamp(two, lo, 2.0f * hi)"};
+    expect_all(clamps, {{"left", {{"clamp(left, lo, hi)", "clamp(left, lo, 2.0f * hi)"}, two}, false},
+                        {"right", {{"clamp(right, lo, hi)", "clamp(right, lo, 2.0f * hi)"}, two}, true}});
+    const SidesOfPair scaled = {"k.cu",
+                                "__global__ void f(float* p, float* q, int i, float k) {\n"
+                                "    float left = p[i] * k;\n    float right = q[i] * k;\n"
+                                "    p[i] = left + 1.0f;\n    q[i] = right + 1.0f;\n}\n",
+                                "k.cpp",
+                                "void f(Body& body, float k) {\n"
+                                "    float one = scaled(body.position, k);\n    float two = body.speed * k;\n"
+                                "    body.position = one + 1.0f;\n    body.speed = two + 1.0f;\n}\n"};
+    const std::pair<std::string, std::string> speed = {"speed * k", "speed * k * k"};
+    expect_all(scaled, {{"left", {{"p[i] * k", "p[i] * k * k"}, speed}, false},
+                        {"right", {{"q[i] * k", "q[i] * k * k"}, speed}, true}});
+}
+
 }  // namespace
 }  // namespace porttool::testing::parts_and_items_test

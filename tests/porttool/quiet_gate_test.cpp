@@ -208,8 +208,10 @@ TEST(QuietGate, ArmsThatTheOtherSideHas) {
         return loud({{"s/k.cu", text("")}, {"t/k.cpp", there}}, {{"s/k.cu", text(more)}}, {"s/k.cu:f=t/k.cpp:f"});
     };
     const Loud told = {"source-changed s/k.cu:f"};
-    EXPECT_EQ(after("case MUL: out.scale(op, 0.5f); break;", port), Loud{});
-    EXPECT_EQ(after("case MUL: case DIV: { out.scale(op, 0.5f); return; }", port), Loud{});
+    EXPECT_EQ(after("case MUL: scale(op); break;", port), Loud{});
+    EXPECT_EQ(after("case MUL: case DIV: { scale(op); break; }", port), Loud{});
+    EXPECT_EQ(after("case MUL: scale(op); return;", port), told) << "the end of the function";
+    EXPECT_EQ(after("case MUL: out.scale(op, 0.5f); break;", port), told);
     EXPECT_EQ(after("case MUL: out.scale(op, 0.5f); break; case MOD: out.rest(op); break;", port), told);
     EXPECT_EQ(after("case MUL: out.scale(op, 0.5f);", port), told) << "it falls through";
     EXPECT_EQ(after("case MUL: if (op > 2) { out.scale(op, 0.5f); break; }", port), told);
@@ -614,11 +616,11 @@ TEST(QuietGate, APartThatGetsAName) {
 }
 
 TEST(QuietGate, WhatARuntimeCalledOtherwiseInAnEarlierVersion) {
-    const auto after = [](const std::string& before, const std::string& now) {
+    const auto after = [](const std::string& before, const std::string& now, const std::string& there = "x += y[2];") {
         const auto file = [](const std::string& body) {
             return "void f(float* y, G group, unsigned mask) { float x = y[0]; " + body + " y[1] = x; }";
         };
-        return loud({{"s/k.cu", file("x += y[2];")}, {"t/k.cpp", file(before)}}, {{"t/k.cpp", file(now)}},
+        return loud({{"s/k.cu", file(there)}, {"t/k.cpp", file(before)}}, {{"t/k.cpp", file(now)}},
                     {"s/k.cu:f=t/k.cpp:f"});
     };
     const Loud told = {"target-changed s/k.cu:f"};
@@ -630,9 +632,39 @@ TEST(QuietGate, WhatARuntimeCalledOtherwiseInAnEarlierVersion) {
     EXPECT_EQ(after(down, replaced(left, "left", "right")), told);
     EXPECT_EQ(after(down, replaced(left, "(group", "(other")), told);
     EXPECT_EQ(after("x = __shfl_xor_sync(mask, x, 4);", "x = __shfl_xor_sync(0xff, x, 4);"), told);
-    EXPECT_EQ(after("x = LIB_MAX(x, 1.0f);", "x = max(x, 1.0f);"), Loud{});
+    EXPECT_EQ(after("x = LIB_MAX(x, 1.0f);", "x = max(x, 1.0f);", "x = max(x, 1.0f);"), Loud{});
+    EXPECT_EQ(after("x = ARG_MAX(x, 1.0f);", "x = max(x, 1.0f);"), told) << "who knows what that is";
+    EXPECT_EQ(after("x = max(x, 1.0f);", "x = ARG_MAX(x, 1.0f);", "x = max(x, 1.0f);"), told);
+    EXPECT_EQ(after("x = ARG_MAX(x, 1.0f);", "x = max(x, 1.0f);", "x = ARG_MAX(x, 1.0f);"), told);
+    EXPECT_EQ(after("x = std::abs(x);", "x = abs(x);"), told) << "of whole numbers";
     EXPECT_EQ(after("x = LIB_MAX(x, 1.0f);", "x = min(x, 1.0f);"), told);
     EXPECT_EQ(after("x = row_max(x, 1.0f);", "x = max(x, 1.0f);"), told);
+}
+
+TEST(QuietGate, ALocalThatAMacroReads) {
+    const auto after = [](const std::string& macro, const std::string& from, const std::string& to) {
+        const std::string file =
+            macro + "\nvoid f(float* p, int n) {\n  int lane = n & 31;\n  p[SLOT] = 2.0f * n;\n}\n";
+        return loud({{"s/k.cu", file}, {"t/k.cpp", "void f(float* p, int n) { p[n] = 2.0f * n; }"}},
+                    {{"s/k.cu", replaced(file, from, to)}}, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(after("#define SLOT (lane * 4)", "n & 31", "n & 15"), Loud{"source-changed s/k.cu:f"});
+    EXPECT_EQ(after("#define SLOT 4", "n & 31", "n & 15"), Loud{});
+}
+
+TEST(QuietGate, ANamespaceThatIsOpenedInACommentIsNot) {
+    const auto after = [](const std::string& line) {
+        const std::string file = line + "\nfloat f(float c) {\n  float d = c * 2.0f;\n  return far::grow(d);\n}\n";
+        return loud({{"s/k.cu", file}, {"t/k.cpp", "float f(float c) { return other(c); }"}},
+                    {{"s/k.cu", replaced(file, "return far::grow", "return grow")}}, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const Loud told = {"source-changed s/k.cu:f"};
+    EXPECT_EQ(after("using namespace far;"), Loud{});
+    EXPECT_EQ(after("using far::grow;"), Loud{});
+    EXPECT_EQ(after("// using namespace far;"), told);
+    EXPECT_EQ(after("/* using far::grow; */"), told);
+    EXPECT_EQ(after("const char* s = \"using namespace far;\";"), told);
+    EXPECT_EQ(after("void g() { using namespace far; }"), told);
 }
 
 TEST(QuietGate, BranchesForTheCompilerAreToldOnce) {

@@ -55,6 +55,50 @@ BySide<std::string> copy_with(const std::string& from_source, const std::string&
     return {replaced(kCopy.source, from_source, to_source), replaced(kCopy.target, from_target, to_target)};
 }
 
+TEST(WeighedEdit, BracketsCastsAndTypesOfWhatCameInOwnWords) {
+    const BySide<std::string> was = {
+        "void f(float* p, const int* e, int n, int m, float lim) {\n  int i = first_index();\n  if (i >= n) return;\n"
+        "  float x = p[i];\n  for (int j = 0; j < m; ++j) { x = x * 0.5f + e[j]; }\n  p[i] = x;\n}\n",
+        "void f(std::vector<float>& p, std::vector<int>& e, float lim) {\n  for (size_t i = 0; i < p.size(); ++i) {\n"
+        "    float x = p[i];\n    for (int j : e) { x = x * 0.5f + j; }\n    p[i] = x;\n  }\n}\n"};
+    const std::string at = "float x = p[i];";
+    const auto row = [&](const std::string& source, const std::string& target, const Rules& rules) {
+        return Weighed{source + " / " + target,
+                       was,
+                       {replaced(was.source, at, at + " " + source), replaced(was.target, at, at + " " + target)},
+                       rules};
+    };
+    const Rules told = {"port-differs"};
+    expect_all({
+        row("x = lim / (x * 0.25f);", "x = lim / x * 0.25f;", told),
+        row("x = lim - (x - 0.25f);", "x = lim - x - 0.25f;", told),
+        row("x = -(x + lim) + 0.25f;", "x = -x + lim + 0.25f;", told),
+        row("if (!(x > lim && x < 0.25f)) x = lim;", "if (!(x > lim) && x < 0.25f) x = lim;", told),
+        row("x = min(x, lim) + 0.25f;", "x = min(x, lim + 0.25f);", told),
+        row("x = x + p[i + 1];", "x = x + p[i] + 1;", told),
+        row("int q = (int)(x * lim); x = q * 0.5f;", "int q = (int)x * lim; x = q * 0.5f;", told),
+        row("x = (float)(i + 1) * lim;", "x = (float)i + 1 * lim;", told),
+        row("x = (x > lim ? lim : x) * 0.5f;", "x = x > lim ? lim : x * 0.5f;", told),
+        row("x = (float)((int)(x * lim)) + 0.5f;", "x = (float)((double)(x * lim)) + 0.5f;", told),
+        row("int q = x * lim; x = q * 0.5f;", "float q = x * lim; x = q * 0.5f;", told),
+        row("float& q = p[i]; q = x * lim;", "float q = p[i]; q = x * lim;", told),
+    });
+}
+
+TEST(WeighedEdit, AnArmThatSaysAnotherThingThanTheOthers) {
+    const std::string head = "float f(int k, float x, float y) {\n  switch (k) {\n    case ADD: return x + y;\n";
+    const std::string tail = "  }\n  return 0.0f;\n}\n";
+    const BySide<std::string> was = {head + tail,
+                                     head + "    case MUL: return x * y;\n    case DIV: return x / y;\n" + tail};
+    const auto with = [&](const std::string& arm) { return BySide<std::string>{head + arm + tail, was.target}; };
+    const Rules told = {"source-changed"};
+    expect_all({{"the same", was, with("case MUL: return x * y;\n"), {}},
+                {"another sign", was, with("case MUL: return x + y;\n"), told},
+                {"operands the other way round", was, with("case DIV: return y / x;\n"), told},
+                {"a number more", was, with("case MUL: return x * y * 2.0f;\n"), told},
+                {"left otherwise", was, with("case MUL: x = x * y; break;\n"), told}});
+}
+
 TEST(WeighedEdit, BothSidesInTheirOwnWords) {
     const std::string from = "y[out] = x[at];", to = "y[out] = min(x[at] * 0.5f - shift(at), lim);";
     const std::string there = "y.store(out, x.load(at));";
