@@ -111,9 +111,14 @@ public:
                             [&](const Outline& one) { return lost(k).mapping_to(one, names_).has_value(); });
     }
 
-    /// True if another statement than the k-th that went says something of all that it and one of the other side have
-    /// in common, so that this one may be its port.
-    bool has_another_for(size_t k, const Outline& of_other_side) const {
+    /// True if a statement of the text stands before the k-th that went.
+    bool is_before(const Statement& statement, size_t k) const {
+        return &statement < edit_.before.data() + edit_.lost[k];
+    }
+
+    /// True if another statement before the k-th that went, or behind it, says something of all that it and one of the
+    /// other side have in common, so that this one may be its port.
+    bool has_another_for(size_t k, const Outline& of_other_side, bool before) const {
         std::vector<std::string_view> shared;
         for (size_t i = 0; i < of_other_side.words.size(); ++i) {
             const std::string_view word = of_other_side.words[i];
@@ -121,7 +126,8 @@ public:
             if (is_word_token(word) && !is_type_word(word) && !is_called && lost(k).has(word)) shared.push_back(word);
         }
         const auto says_it = [&](const Outline& one) {
-            return &one != &lost(k) && !one.has("@") && (shared.size() > 1 || are_much_alike(one, of_other_side)) &&
+            return &one != &lost(k) && (&one < &lost(k)) == before && !one.has("@") &&
+                   (shared.size() > 1 || are_much_alike(one, of_other_side)) &&
                    std::all_of(shared.begin(), shared.end(), [&](std::string_view word) { return one.has(word); });
         };
         if (shared.empty()) return names_ == Names::Any;  // nothing tells that it is one of a family
@@ -129,7 +135,7 @@ public:
     }
 
 private:
-    /// True if half of all words are those of both.
+    /// True if a third of all words, and a little more, are those of both.
     static bool are_much_alike(const Outline& one, const Outline& other) {
         std::multiset<std::string_view> left(one.words.begin(), one.words.end());
         size_t shared = 0;
@@ -138,7 +144,8 @@ private:
                 left.erase(found);
                 ++shared;
             }
-        return 4 * shared >= one.words.size() + other.words.size();
+        constexpr size_t kLeast = 35, kAll = 100;
+        return 2 * kAll * shared >= kLeast * (one.words.size() + other.words.size());
     }
 
     bool is_lost(size_t i) const { return std::binary_search(edit_.lost.begin(), edit_.lost.end(), i); }
@@ -297,7 +304,7 @@ const Statement* left_of_parts(const EditedFamilies& whole, const EditedFamilies
     if (left == nullptr || !whole.is_alone(k)) return nullptr;
     const Outline sibling(*left);
     if (whole.lost(k).has_any_of(by_parts.lost(k), sibling)) return nullptr;  // both say it of this one part
-    return whole.has_another_for(k, sibling) ? nullptr : left;
+    return whole.has_another_for(k, sibling, by_parts.is_before(*left, k)) ? nullptr : left;
 }
 
 constexpr size_t kMostLostByParts = 16, kMostWordsByParts = 20'000;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -196,19 +197,29 @@ private:
         const auto [first, first_there] = *(next - 1);
         const auto [end, end_there] = *next;
         if (target < first_there || target + 1 >= end_there) return false;
-        BestLaying laid(end - 1 - first, end_there - 1 - first_there);
-        for (size_t i = first; i + 1 < end; ++i)
-            for (size_t k = first_there; k + 1 < end_there; ++k)
-                if (!compare(here_[i], there_[k], laid.at(i - first, k - first_there))) return false;
-        const double best = laid.sum();
-        laid.at(source - first, target - first_there) = 0;
+        if (!laid_ || laid_first_ != first) {
+            laid_.emplace(end - 1 - first, end_there - 1 - first_there);
+            laid_first_ = first;
+            for (size_t i = first; i + 1 < end; ++i)
+                for (size_t k = first_there; k + 1 < end_there; ++k)
+                    if (!compare(here_[i], there_[k], laid_->at(i - first, k - first_there))) return false;
+            laid_sum_ = laid_->sum();
+        }
+        cells_ += (end - first) * (end_there - first_there);
+        double& alike = laid_->at(source - first, target - first_there);
+        const double was = std::exchange(alike, 0);
+        const double without = laid_->sum();
+        alike = was;
         constexpr double kLeast = 1e-6;
-        return laid.sum() + kLeast < best;
+        return without + kLeast < laid_sum_;
     }
 
     WordNumbers numbers_;
     std::vector<Numbers> here_, there_;              ///< of a brace none
     std::vector<std::pair<size_t, size_t>> shared_;  ///< behind each, with an end before and behind all
+    std::optional<BestLaying> laid_;                 ///< of what stands between two of these
+    size_t laid_first_ = 0;                          ///< where that begins
+    double laid_sum_ = 0;
     uint64_t cells_ = 0;
 };
 
