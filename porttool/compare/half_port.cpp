@@ -34,7 +34,7 @@ bool differ_by_a_part(std::string_view here, std::string_view there) {
 }
 
 /// How much the names of siblings may differ.
-enum class Names : uint8_t { Any, ByOnePart };
+enum class NamesOfParts : uint8_t { Any, ByOnePart };
 
 /// What one sibling says where the other says something else.
 using Mapping = std::map<std::string_view, std::string_view>;
@@ -53,7 +53,7 @@ struct Outline {
     }
 
     /// How the other says of another part what this one says of one; nothing if it does not, or is the same.
-    std::optional<Mapping> mapping_to(const Outline& other, Names names) const {
+    std::optional<Mapping> mapping_to(const Outline& other, NamesOfParts names) const {
         if (words.size() != other.words.size()) return {};
         Mapping out, back;
         bool any = subscripts != other.subscripts;
@@ -63,7 +63,8 @@ struct Outline {
                 const bool is_name = is_word_token(here) && is_word_token(there) && !is_type_word(here) &&
                                      !is_type_word(there) && !word_is(here, kKeyword) && !word_is(there, kKeyword);
                 const bool is_called = i + 1 < words.size() && words[i + 1] == "(";
-                if (!is_name || is_called || (names == Names::ByOnePart && !differ_by_a_part(here, there))) return {};
+                if (!is_name || is_called || (names == NamesOfParts::ByOnePart && !differ_by_a_part(here, there)))
+                    return {};
                 any = true;
             }
             if (!is_word_token(here)) continue;
@@ -87,7 +88,7 @@ struct Outline {
 /// One side's statements before its edit, and which of them the edit took away.
 class EditedFamilies {
 public:
-    EditedFamilies(const StatementEdit& edit, Names names) : edit_(edit), names_(names) {
+    EditedFamilies(const StatementEdit& edit, NamesOfParts names) : edit_(edit), names_(names) {
         for (const Statement& statement : edit.before) outlines_.emplace_back(statement);
     }
 
@@ -99,7 +100,7 @@ public:
         for (size_t i = 0; i < outlines_.size(); ++i) {
             const bool counts =
                 !is_lost(i) && !edit_.before[i].is_brace() &&
-                (names_ == Names::ByOnePart || edit_.before[i].head == edit_.before[edit_.lost[k]].head);
+                (names_ == NamesOfParts::ByOnePart || edit_.before[i].head == edit_.before[edit_.lost[k]].head);
             if (counts && lost(k).mapping_to(outlines_[i], names_)) return &edit_.before[i];
         }
         return nullptr;
@@ -130,7 +131,7 @@ public:
                    (shared.size() > 1 || are_much_alike(one, of_other_side)) &&
                    std::all_of(shared.begin(), shared.end(), [&](std::string_view word) { return one.has(word); });
         };
-        if (shared.empty()) return names_ == Names::Any;  // nothing tells that it is one of a family
+        if (shared.empty()) return names_ == NamesOfParts::Any;  // nothing tells that it is one of a family
         return std::any_of(outlines_.begin(), outlines_.end(), says_it);
     }
 
@@ -151,7 +152,7 @@ private:
     bool is_lost(size_t i) const { return std::binary_search(edit_.lost.begin(), edit_.lost.end(), i); }
 
     const StatementEdit& edit_;
-    Names names_;
+    NamesOfParts names_;
     std::vector<Outline> outlines_;
 };
 
@@ -164,7 +165,7 @@ StatementEdit edit_as_written(const Words& before, const Words& now) {
 /// A side's texts without the statements of all parts but the first that its edit changed.
 class FirstPart {
 public:
-    FirstPart(const StatementEdit& edit, const Words& before, const Words& now, Names names)
+    FirstPart(const StatementEdit& edit, const Words& before, const Words& now, NamesOfParts names)
         : edit_(edit), names_(names), before_(before.begin(), before.end()), now_(now.begin(), now.end()) {
         for (const size_t i : edit.lost) lost_.emplace_back(edit.before[i]);
         for (const size_t i : edit.gained) gained_.emplace_back(edit.now[i]);
@@ -268,7 +269,7 @@ private:
     }
 
     const StatementEdit& edit_;
-    Names names_;
+    NamesOfParts names_;
     std::vector<std::string> before_, now_;
     std::vector<Outline> lost_, gained_;
     std::set<size_t> firsts_;
@@ -278,7 +279,7 @@ private:
 
 /// True if each statement that went says it for all parts at once: no sibling of it stands there, and it names nothing
 /// by which those of the other side are told apart.
-bool speaks_of_all_parts(const StatementEdit& whole, const StatementEdit& by_parts, Names names) {
+bool speaks_of_all_parts(const StatementEdit& whole, const StatementEdit& by_parts, NamesOfParts names) {
     const EditedFamilies families(whole, names), parts(by_parts, names);
     for (size_t k = 0; k < whole.lost.size(); ++k)
         if (!families.is_alone(k)) return false;
@@ -291,7 +292,7 @@ bool speaks_of_all_parts(const StatementEdit& whole, const StatementEdit& by_par
     return true;
 }
 
-bool leaves_no_part_behind(const StatementEdit& edit, Names names) {
+bool leaves_no_part_behind(const StatementEdit& edit, NamesOfParts names) {
     const EditedFamilies families(edit, names);
     for (size_t k = 0; k < edit.lost.size(); ++k)
         if (families.left_behind(k) != nullptr) return false;
@@ -308,7 +309,7 @@ const Statement* left_of_parts(const EditedFamilies& whole, const EditedFamilies
 }
 
 constexpr size_t kMostLostByParts = 16, kMostWordsByParts = 20'000;
-constexpr Names kManners[] = {Names::Any, Names::ByOnePart};
+constexpr NamesOfParts kManners[] = {NamesOfParts::Any, NamesOfParts::ByOnePart};
 
 }  // namespace
 
@@ -322,7 +323,7 @@ EditsByParts::EditsByParts(const PairTexts& texts)
 
 std::string EditsByParts::half_of_a_port() const {
     if (!is_short_ || source_.lost.size() != target_.lost.size()) return {};
-    for (const Names names : kManners) {
+    for (const NamesOfParts names : kManners) {
         const EditedFamilies here(source_, names), there(target_, names);
         for (size_t k = 0; k < source_.lost.size(); ++k) {
             if (source_.before[source_.lost[k]].is_brace() || target_.before[target_.lost[k]].is_brace()) continue;
@@ -344,7 +345,7 @@ std::vector<EditOfOnePart> EditsByParts::of_one_part() const {
         return in_target ? EditOfOnePart{owned(texts_.source_before), owned(texts_.source_now), before, now}
                          : EditOfOnePart{before, now, owned(texts_.target_before), owned(texts_.target_now)};
     };
-    for (const Names names : kManners) {
+    for (const NamesOfParts names : kManners) {
         if (!speaks_of_all_parts(whole, by_parts, names) || !leaves_no_part_behind(by_parts, names)) continue;
         const FirstPart first(by_parts, in_target ? texts_.target_before : texts_.source_before,
                               in_target ? texts_.target_now : texts_.source_now, names);

@@ -64,7 +64,7 @@ size_t end_of_line(std::string_view text, size_t at) {
 }
 
 /// A path as text_of() has it: `a :: b`.
-std::string apart(std::string_view path) {
+std::string path_apart(std::string_view path) {
     std::string out;
     for (size_t at = 0;;) {
         const size_t end = path.find("::", at);
@@ -137,7 +137,7 @@ bool OwnNames::are_locals_in_macros(const Words& text, Side side) const {
 /// True if the unit's file, or the unit itself, opens a namespace, or takes a name out of it.
 bool OwnNames::is_seen_without(std::string_view scope, std::string_view name, const UnitState& unit, Side side) const {
     if (!facts_.files || scope.size() < 2) return false;
-    const std::string path = apart(scope.substr(0, scope.size() - 2)), opens = "using namespace " + path,
+    const std::string path = path_apart(scope.substr(0, scope.size() - 2)), opens = "using namespace " + path,
                       brings = "using " + path + " :: " + std::string(name);
     const Words words = unit.text.words();
     if (has_in_a_row(words, opens + " ;") || has_in_a_row(words, brings + " ;")) return true;
