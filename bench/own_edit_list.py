@@ -31,7 +31,7 @@ SMALL = [
                                 "sample_slot(floatBitsToUint(more.y), surface.coordinates).x")]),
     ("arms of a select", "select", [("lights", "select(kind == LIGHT_SPOT, inside, Float(1.0f))",
                                      "select(kind != LIGHT_SPOT, Float(1.0f), square(inside))")]),
-    ("arm of a ternary", "select", [("filter", "right == 0 || down == 0 ? 0.5f : 0.25f), Float", "right == 0 && down == 0 ? 0.5f : 0.125f), Float")]),
+    ("arm of a ternary", "select", [("filter", "right == 0 || down == 0 ? alike : alike * 0.5f, Float", "right == 0 && down == 0 ? alike : alike * 0.25f, Float")]),
     # Terms.
     ("added factor", "term", [("guide", "color + gloss + vec3(0.01f)", "color + gloss * 0.5f + vec3(0.01f)")]),
     ("added term over lines", "term",
@@ -273,7 +273,7 @@ LARGE = [
       ("shade", "        Float survival = survival_probability(carried);\n", "        vec2 survival = survival_probability(carried);\n"),
       ("shade", "PAIR_LOBE).y < survival;\n        carried = carried * (1.0f / survival);", "PAIR_LOBE).y < survival.x;\n        carried = carried * (1.0f / max(survival.x, survival.y * 0.1f));")]),
     ("stage of the filter", "stage",
-     [("layout", "const uint REPROJECT_LIGHT = 8u;", "const uint FILTER_SHARPEN = 10u;    // the picture by its own Laplacian\nconst uint REPROJECT_LIGHT = 8u;"),
+     [("layout", "const uint REPROJECT_LIGHT = 7u;", "const uint FILTER_SHARPEN = 10u;    // the picture by its own Laplacian\nconst uint REPROJECT_LIGHT = 7u;"),
       ("filter", "// The picture again: each layer's light", "// What differs from the mean of its neighbours differs more.\n@void sharpen_picture(Uint job) {\n    Place place = place_of(job + pass.first_pixel);\n"
        "    vec4 mean = load_filter_picture(place.pixel);\n    vec3 light = vec3(load_light(pass.filter_from, pixels_from(place.pixel)));\n"
        "    store_filter_picture(place.pixel, vec4(vec3(mean) + (vec3(mean) - light) * 0.25f, mean.w));\n}\n\n// The picture again: each layer's light"),
