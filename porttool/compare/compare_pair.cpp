@@ -142,7 +142,7 @@ private:
             edits.equivalent = alike_in_words_of_pair(texts, languages) ||
                                alike_without_order_of_cases(texts, languages) ||
                                alike_in_ends_of_items(texts, languages) || alike_in_one_part(by_parts, languages);
-        if (std::string said = surely_differs(texts, by_parts); !said.empty()) {
+        if (std::string said = surely_differs(texts, structs ? nullptr : &by_parts); !said.empty()) {
             edits.differences.insert(edits.differences.begin(), std::move(said));
             edits.equivalent = false;
             edits.displaced = true;
@@ -156,10 +156,11 @@ private:
                 "not alike"};
     }
 
-    /// What makes edits in the same words another program.
-    static std::string surely_differs(const PairTexts& texts, const EditsByParts& by_parts) {
+    /// What makes edits in the same words another program. The fields of structs are alike by nature: of these nothing
+    /// is asked of parts.
+    static std::string surely_differs(const PairTexts& texts, const EditsByParts* by_parts) {
         std::string out = other_ends_of_items(texts);
-        return out.empty() ? by_parts.half_of_a_port() : out;
+        return out.empty() && by_parts != nullptr ? by_parts->half_of_a_port() : out;
     }
 
     /// True if the edits are one where the side that loops over items goes on with the next one as the other returns.
