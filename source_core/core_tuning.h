@@ -15,6 +15,7 @@ namespace source_core {
 struct CoreTuning {
     uint32_t largest_batch = 1u << 20;        ///< paths on their way at once
     std::optional<TableAccess> table_access;  ///< how all tables are reached, whatever their size
+    bool spelled_out_arithmetic = false;      ///< as in exact mode on a device that may round otherwise
     bool assisted_validation = true;          ///< SourceOptions::validate includes the GPU-assisted checks
 };
 

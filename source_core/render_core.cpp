@@ -89,7 +89,7 @@ private:
 
     Status open_device();
     Status check_budget(uint64_t table_bytes);
-    Status choose_table_access();
+    Status choose_variant();
     Status upload();
     Status size_wavefront();
     Status find_kernels();
@@ -208,8 +208,10 @@ Status SourceCore::check_budget(uint64_t table_bytes) {
     return Status::success();
 }
 
-Status SourceCore::choose_table_access() {
+Status SourceCore::choose_variant() {
     variant_.features = scene_.features();
+    variant_.arithmetic = options().exact ? gpu_->device->limits().exact : ExactArithmetic{};
+    variant_.arithmetic.spelled_out |= tuning_.spelled_out_arithmetic;
     for (uint32_t table = 0; table < TABLE_COUNT; ++table) {
         const Result<TableAccess> access = choose_access(gpu_->device->limits(), table, scene_.bytes(table));
         if (!access.ok()) {
@@ -233,7 +235,7 @@ Status SourceCore::prepare() {
         status = check_budget(all_table_bytes());
     }
     if (status.ok()) {
-        status = choose_table_access();
+        status = choose_variant();
     }
     if (status.ok()) {
         status = upload();

@@ -112,8 +112,21 @@ uint64_t largest_local_heap(const VkPhysicalDeviceMemoryProperties& memory) {
     return size;
 }
 
+// llvmpipe, which is what lavapipe runs on, divides as the CPU under it does.
+ExactArithmetic exact_arithmetic_of(const VkPhysicalDeviceVulkan12Properties& properties) {
+    if (properties.driverID == VK_DRIVER_ID_MESA_LLVMPIPE) {
+        return {};
+    }
+    return {.spelled_out = true,
+            .keeps_denormals = properties.shaderDenormPreserveFloat32 == VK_TRUE,
+            .keeps_zeros_and_nan = properties.shaderSignedZeroInfNanPreserveFloat32 == VK_TRUE,
+            .rounds_to_nearest = properties.shaderRoundingModeRTEFloat32 == VK_TRUE};
+}
+
 DeviceLimits read_limits(VkPhysicalDevice physical, uint32_t family, const VkPhysicalDeviceMemoryProperties& memory) {
     VkPhysicalDeviceMaintenance3Properties allocation{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES};
+    VkPhysicalDeviceVulkan12Properties properties12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_PROPERTIES};
+    allocation.pNext = &properties12;
     VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
     properties.pNext = &allocation;
     vkGetPhysicalDeviceProperties2(physical, &properties);
@@ -138,6 +151,7 @@ DeviceLimits read_limits(VkPhysicalDevice physical, uint32_t family, const VkPhy
     limits.timestamp_ns = bits == 0 ? 0.0 : static_cast<double>(properties.properties.limits.timestampPeriod);
     limits.timestamp_mask = bits >= 64 ? ~0ull : (1ull << bits) - 1;
     limits.device_address = features12.bufferDeviceAddress == VK_TRUE;
+    limits.exact = exact_arithmetic_of(properties12);
     return limits;
 }
 

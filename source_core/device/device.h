@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "source_core/device/exact_arithmetic.h"
 #include "source_core/device/handle.h"
 #include "source_core/device/instance.h"
 
@@ -23,6 +24,7 @@ struct DeviceLimits {
     double timestamp_ns = 0.0;  ///< per tick; 0: no timestamps
     uint64_t timestamp_mask = 0;
     bool device_address = false;
+    ExactArithmetic exact;  ///< what exact mode needs here to give the bits of a CPU
 };
 
 /// One logical device with one compute queue and what it takes to submit work and wait for it.

@@ -60,7 +60,8 @@ struct GlslangProcess {
     ~GlslangProcess() { glslang::FinalizeProcess(); }
 };
 
-Result<std::vector<uint32_t>> finish(const std::string& name, const std::vector<uint32_t>& compiled) {
+Result<std::vector<uint32_t>> finish(const std::string& name, const std::vector<uint32_t>& compiled,
+                                     const ExactArithmetic& arithmetic) {
     spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
     // What the scene's features leave out goes first: a driver inlines every call that is left, and only then sees what
     // is never run. On lavapipe that was three quarters of the time that a core takes to start.
@@ -68,18 +69,19 @@ Result<std::vector<uint32_t>> finish(const std::string& name, const std::vector<
         .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
     spvtools::OptimizerOptions options;
     options.set_run_validator(false);
-    const std::vector<uint32_t> words = forbid_contraction(compiled);
+    const std::vector<uint32_t> words =
+        forbid_contraction(arithmetic.spelled_out ? call_exact_arithmetic(compiled) : compiled);
     std::vector<uint32_t> live;
     if (!optimizer.Run(words.data(), words.size(), &live, options)) {
         return Status::error(StatusCode::internal, "failed to remove what is never run from the kernel " + name);
     }
-    return mark_buffer_access(live);
+    return ask_for_float_controls(mark_buffer_access(live), arithmetic);
 }
 
 }  // namespace
 
 Result<std::vector<uint32_t>> compile_kernel(const std::map<std::string, std::string>& files, const std::string& name,
-                                             const std::string& preamble) {
+                                             const std::string& preamble, const ExactArithmetic& arithmetic) {
     static const GlslangProcess process;
     const auto file = files.find(name);
     if (file == files.end()) {
@@ -88,11 +90,14 @@ Result<std::vector<uint32_t>> compile_kernel(const std::map<std::string, std::st
     const char* text = file->second.c_str();
     const int text_length = static_cast<int>(file->second.size());
     const char* text_name = name.c_str();
-    const auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
+    // No text calls what is spelled out yet.
+    const auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules |
+                                                   (arithmetic.spelled_out ? EShMsgKeepUncalled : EShMsgDefault));
 
     glslang::TShader shader(EShLangCompute);
     shader.setStringsWithLengthsAndNames(&text, &text_length, &text_name, 1);
-    shader.setPreamble(preamble.c_str());
+    const std::string before = preamble + (arithmetic.spelled_out ? EXACT_ARITHMETIC_TEXT : "");
+    shader.setPreamble(before.c_str());
     shader.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientVulkan, 100);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_2);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
@@ -109,7 +114,7 @@ Result<std::vector<uint32_t>> compile_kernel(const std::map<std::string, std::st
     glslang::SpvOptions options;
     options.disableOptimizer = true;
     glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), words, &options);
-    return finish(name, words);
+    return finish(name, words, arithmetic);
 }
 
 }  // namespace source_core

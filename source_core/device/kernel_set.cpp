@@ -134,7 +134,7 @@ Status KernelSet::create_sets(const Device& device) {
 Result<Handle<VkPipeline>> KernelSet::compile(const Device& device, const std::map<std::string, std::string>& files,
                                               Kernel kernel) const {
     const Result<std::vector<uint32_t>> compiled =
-        compile_kernel(files, std::string(kernel_name(kernel)) + ".comp", variant_.preamble());
+        compile_kernel(files, std::string(kernel_name(kernel)) + ".comp", variant_.preamble(), variant_.arithmetic);
     if (!compiled.ok()) {
         return compiled.status;
     }

@@ -5,11 +5,13 @@
 #include <vulkan/vulkan.h>
 
 #include <array>
+#include <compare>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "source_core/device/device.h"
+#include "source_core/device/exact_arithmetic.h"
 #include "source_core/kernels/bindings.h"
 
 namespace source_core {
@@ -29,6 +31,9 @@ enum class TableAccess : uint8_t { texels, storage, address };
 struct KernelVariant {
     uint32_t features = 0;
     std::array<TableAccess, TABLE_COUNT> tables{};
+    ExactArithmetic arithmetic;
+
+    auto operator<=>(const KernelVariant&) const = default;
 
     /// Text that comes before a kernel's source.
     std::string preamble() const;

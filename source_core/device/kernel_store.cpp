@@ -17,14 +17,13 @@ Result<KernelStore::Found> KernelStore::find(const Device& device, const KernelV
         take_fresh();
         renewed_ = true;
     }
-    const std::string preamble = variant.preamble();
-    auto found = sets_.find(preamble);
+    auto found = sets_.find(variant);
     if (found == sets_.end()) {
         Result<KernelSet> made = KernelSet::create(device, files_, variant);
         if (!made.ok()) {
             return made.status;
         }
-        found = sets_.emplace(preamble, std::make_shared<KernelSet>(std::move(*made))).first;
+        found = sets_.emplace(variant, std::make_shared<KernelSet>(std::move(*made))).first;
     }
     in_use_ = found->second;
     return Found{in_use_.get(), std::exchange(renewed_, false)};

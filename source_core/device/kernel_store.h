@@ -52,8 +52,8 @@ private:
 
     const std::string directory_;
     mutable std::mutex mutex_;
-    Files files_;                                             // guarded by the mutex, as are those that follow
-    std::map<std::string, std::shared_ptr<KernelSet>> sets_;  // by preamble
+    Files files_;  // guarded by the mutex, as are those that follow
+    std::map<KernelVariant, std::shared_ptr<KernelSet>> sets_;
     std::shared_ptr<KernelSet> in_use_;
     std::optional<Fresh> fresh_;
     bool renewed_ = false;  // since find last answered

@@ -3,72 +3,14 @@
 #include "source_core/device/spirv_passes.h"
 
 #include <cstddef>
-#include <functional>
 #include <unordered_map>
 #include <unordered_set>
+
+#include "source_core/device/spirv_module.h"
 
 namespace source_core {
 
 namespace {
-
-// Numbers from the SPIR-V specification 1.3, sections 3.20 (decorations) and 3.32 (instructions).
-enum Op : uint32_t {
-    OP_EXT_INST = 12,
-    OP_TYPE_FIRST = 19,
-    OP_TYPE_FLOAT = 22,
-    OP_TYPE_VECTOR = 23,
-    OP_TYPE_MATRIX = 24,
-    OP_TYPE_POINTER = 32,
-    OP_TYPE_LAST = 39,
-    OP_VARIABLE = 59,
-    OP_LOAD = 61,
-    OP_STORE = 62,
-    OP_ACCESS_CHAIN = 65,
-    OP_IN_BOUNDS_ACCESS_CHAIN = 66,
-    OP_DECORATE = 71,
-    OP_MEMBER_DECORATE = 72,
-    OP_ANNOTATION_LAST = 75,
-    OP_FNEGATE = 127,
-    OP_FADD = 129,
-    OP_FSUB = 131,
-    OP_FMUL = 133,
-    OP_FDIV = 136,
-    OP_FREM = 140,
-    OP_FMOD = 141,
-    OP_VECTOR_TIMES_SCALAR = 142,
-    OP_DOT = 148,
-    OP_ATOMIC_LOAD = 227,
-    OP_ATOMIC_STORE = 228,
-    OP_ATOMIC_EXCHANGE = 229,
-    OP_ATOMIC_XOR = 242,
-};
-constexpr uint32_t DECORATION_NON_WRITABLE = 24;
-constexpr uint32_t DECORATION_NON_READABLE = 25;
-constexpr uint32_t DECORATION_NO_CONTRACTION = 42;
-constexpr uint32_t STORAGE_CLASS_STORAGE_BUFFER = 12;
-constexpr size_t HEADER_WORDS = 5;
-
-// One instruction: its words, the first of which holds opcode and length.
-struct Instruction {
-    const uint32_t* words;
-    size_t at;
-
-    uint32_t op() const { return words[0] & 0xFFFFu; }
-    size_t length() const { return words[0] >> 16; }
-    uint32_t operator[](size_t i) const { return words[i]; }
-};
-
-void for_each_instruction(const std::vector<uint32_t>& words, const std::function<void(const Instruction&)>& visit) {
-    size_t at = HEADER_WORDS;
-    while (at < words.size()) {
-        const Instruction instruction{&words[at], at};
-        if (instruction.length() == 0 || at + instruction.length() > words.size()) {
-            return;  // not a module; spirv-val says so
-        }
-        visit(instruction);
-        at += instruction.length();
-    }
-}
 
 // Where decorations may be inserted: right before the first type.
 size_t end_of_annotations(const std::vector<uint32_t>& words) {
@@ -174,6 +116,18 @@ private:
 };
 
 }  // namespace
+
+void for_each_instruction(const std::vector<uint32_t>& words, const std::function<void(const Instruction&)>& visit) {
+    size_t at = HEADER_WORDS;
+    while (at < words.size()) {
+        const Instruction instruction{&words[at], at};
+        if (instruction.length() == 0 || at + instruction.length() > words.size()) {
+            return;
+        }
+        visit(instruction);
+        at += instruction.length();
+    }
+}
 
 std::vector<uint32_t> forbid_contraction(const std::vector<uint32_t>& words) {
     std::unordered_set<uint32_t> float_types;

@@ -27,15 +27,16 @@ std::map<std::string, std::string> built_in_kernels() {
 }
 
 // Compiled once for all tests of a process.
-const std::vector<uint32_t>& compile(Kernel kernel, uint32_t features, TableAccess access) {
+const std::vector<uint32_t>& compile(Kernel kernel, uint32_t features, TableAccess access, bool spelled_out = false) {
     static const auto files = built_in_kernels();
-    static std::map<std::tuple<Kernel, uint32_t, TableAccess>, std::vector<uint32_t>> modules;
-    const auto [found, is_new] = modules.try_emplace({kernel, features, access});
+    static std::map<std::tuple<Kernel, uint32_t, TableAccess, bool>, std::vector<uint32_t>> modules;
+    const auto [found, is_new] = modules.try_emplace({kernel, features, access, spelled_out});
     if (is_new) {
         KernelVariant variant;
         variant.features = features;
         variant.tables.fill(access);
-        auto words = compile_kernel(files, std::string(kernel_name(kernel)) + ".comp", variant.preamble());
+        const ExactArithmetic arithmetic{spelled_out, spelled_out, spelled_out, spelled_out};
+        auto words = compile_kernel(files, std::string(kernel_name(kernel)) + ".comp", variant.preamble(), arithmetic);
         EXPECT_TRUE(words.ok()) << words.status.message;
         if (words.ok()) {
             found->second = std::move(*words);
@@ -61,6 +62,15 @@ void for_each_line(const std::string& text, const std::function<void(const std::
     }
 }
 
+void expect_valid(const std::vector<uint32_t>& words) {
+    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
+    std::string messages;
+    tools.SetMessageConsumer([&messages](spv_message_level_t, const char*, const spv_position_t&, const char* text) {
+        messages += std::string(text) + "; ";
+    });
+    EXPECT_TRUE(tools.Validate(words)) << messages;
+}
+
 class EveryModule : public testing::TestWithParam<std::tuple<uint32_t, uint32_t, TableAccess>> {
 protected:
     Kernel kernel() const { return static_cast<Kernel>(std::get<0>(GetParam())); }
@@ -71,14 +81,7 @@ protected:
 
 }  // namespace
 
-TEST_P(EveryModule, IsValid) {
-    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
-    std::string messages;
-    tools.SetMessageConsumer([&messages](spv_message_level_t, const char*, const spv_position_t&, const char* text) {
-        messages += std::string(text) + "; ";
-    });
-    EXPECT_TRUE(tools.Validate(module())) << messages;
-}
+TEST_P(EveryModule, IsValid) { expect_valid(module()); }
 
 TEST_P(EveryModule, FusesNoFloatArithmetic) {
     const std::string text = disassemble(module());
@@ -104,6 +107,38 @@ TEST_P(EveryModule, FusesNoFloatArithmetic) {
         EXPECT_GT(computed.size(), 300u) << "the test would not notice";
     }
 }
+
+class SpelledOutModule : public testing::TestWithParam<uint32_t> {
+protected:
+    const std::vector<uint32_t>& module() const {
+        return compile(static_cast<Kernel>(GetParam()), ALL_FEATURES, TableAccess::storage, true);
+    }
+};
+
+TEST_P(SpelledOutModule, IsValid) { expect_valid(module()); }
+
+TEST_P(SpelledOutModule, LeavesNothingToTheDeviceThatItMayRoundAsItLikes) {
+    const std::string text = disassemble(module());
+    for_each_line(text, [](const std::string& line) {
+        for (const char* op : {"OpFDiv ", "OpDot ", "OpFRem ", "OpFMod ", "OpMatrixTimes", "OpVectorTimesMatrix "}) {
+            EXPECT_EQ(line.find(op), std::string::npos) << line;
+        }
+        if (const size_t at = line.find("OpExtInst "); at != std::string::npos) {
+            const bool is_certain = line.find("FAbs") != std::string::npos || line.find("Floor") != std::string::npos ||
+                                    line.find(" S") != std::string::npos || line.find(" U") != std::string::npos ||
+                                    line.find("FindUMsb") != std::string::npos;
+            EXPECT_TRUE(is_certain && line.find("Sqrt") == std::string::npos) << line;
+        }
+    });
+    for (const char* control : {"DenormPreserve 32", "SignedZeroInfNanPreserve 32", "RoundingModeRTE 32"}) {
+        EXPECT_NE(text.find(control), std::string::npos) << control;
+    }
+    if (static_cast<Kernel>(GetParam()) == Kernel::shade) {
+        EXPECT_NE(text.find("exact_quotient"), std::string::npos) << "the test would not notice";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kernels, SpelledOutModule, testing::Range(0u, KERNEL_COUNT));
 
 INSTANTIATE_TEST_SUITE_P(Kernels, EveryModule,
                          testing::Combine(testing::Range(0u, KERNEL_COUNT), testing::Values(0u, ALL_FEATURES),
