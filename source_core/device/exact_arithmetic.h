@@ -9,7 +9,7 @@
 namespace source_core {
 
 /// What Vulkan leaves to a device in the arithmetic of floats, and what makes it give the bits of a CPU
-/// (docs/decisions/0040-the-same-bits-on-gpus.md). Vulkan rounds + - * correctly; a division may be off by 2.5 units in
+/// (docs/decisions/0041-the-same-bits-on-gpus.md). Vulkan rounds + - * correctly; a division may be off by 2.5 units in
 /// the last place, a square root by more, a dot product adds in any order, and denormals may be flushed.
 struct ExactArithmetic {
     bool spelled_out = false;      ///< divisions and their like go through functions on integers: EXACT_ARITHMETIC_TEXT
