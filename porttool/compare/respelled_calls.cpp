@@ -24,7 +24,7 @@ std::string letters_of(std::string_view name) {
     return out;
 }
 
-constexpr size_t kLeast = 3;  // letters: `n(x)` and `N(x)` are two
+constexpr size_t kLeastLetters = 3;  // letters: `n(x)` and `N(x)` are two
 
 /// Tokens without `std ::`, and which of them stood behind it.
 struct WithoutStd {
@@ -100,7 +100,7 @@ std::optional<std::vector<RespelledCall>> only_respelled_calls(const Words& befo
             continue;
         }
         const std::string letters = letters_of(then[i]);
-        const bool is_same = letters.size() >= kLeast && letters == letters_of(today[i]);
+        const bool is_same = letters.size() >= kLeastLetters && letters == letters_of(today[i]);
         const bool is_macro = is_macro_for(then[i], today[i]) || is_macro_for(today[i], then[i]);
         if (!is_called(then, i) || !is_called(today, i) || !(is_same || is_macro)) return std::nullopt;
         out.push_back({then[i], today[i], !is_same});
@@ -160,7 +160,7 @@ bool only_respells_members(const Words& before, const Words& now) {
 
 std::string_view respelled_call(const NormalText& text, std::string_view name) {
     const std::string letters = letters_of(name);
-    if (letters.size() < kLeast) return {};
+    if (letters.size() < kLeastLetters) return {};
     for (size_t i = 0; i + 1 < text.size(); ++i)
         if (text[i + 1] == "(" && is_word_token(text[i]) && text[i] != name && letters_of(text[i]) == letters)
             return text[i];
