@@ -8,6 +8,7 @@
 
 #include "porttool/compare/call_forms.h"
 #include "porttool/compare/caught_up.h"
+#include "porttool/compare/flow_places.h"
 #include "porttool/compare/half_port.h"
 #include "porttool/compare/item_ends.h"
 #include "porttool/compare/learned_words.h"
@@ -147,6 +148,13 @@ private:
             edits.equivalent = false;
             edits.displaced = true;
         }
+        if (!edits.equivalent && !edits.displaced && !structs) {
+            const LearnedWords learned = in_words_of_target(texts, dialect_, {pair_.source.id, pair_.target.id});
+            if (std::string said = other_local_in_flow(texts, learned.before); !said.empty()) {
+                edits.differences.insert(edits.differences.begin(), std::move(said));
+                edits.displaced = true;
+            }
+        }
         if (edits.equivalent && declared_alike()) out_.standing = Standing::Equivalent;
         out_.missing = std::move(edits.differences);
         out_.displaced = edits.displaced && !edits.equivalent;
@@ -160,6 +168,7 @@ private:
     /// is asked of parts.
     static std::string surely_differs(const PairTexts& texts, const EditsByParts* by_parts) {
         std::string out = other_ends_of_items(texts);
+        if (out.empty() && by_parts != nullptr) out = other_place_in_flow(texts);
         return out.empty() && by_parts != nullptr ? by_parts->half_of_a_port() : out;
     }
 
