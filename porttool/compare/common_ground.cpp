@@ -8,12 +8,12 @@
 #include <string_view>
 #include <vector>
 
+#include "porttool/compare/declared_otherwise.h"
 #include "porttool/compare/hints.h"
 #include "porttool/compare/phrases.h"
 #include "porttool/compare/side_by_side.h"
 #include "porttool/compare/side_edit.h"
 #include "porttool/normal/diff.h"
-#include "porttool/normal/directive_end.h"
 #include "porttool/normal/statements.h"
 
 namespace porttool {
@@ -34,19 +34,6 @@ bool names_are_foreign(const SideEdit& edit, const SideEdit& other) {
     for (const std::string& word : edit.lost)
         if (!edit.gained.contains(word)) count(word);
     return names > 0 && 2 * known < names;
-}
-
-/// What a text tells the compiler to do with its lines, which is never silent: its pragmas, up to where they end or,
-/// where that does not show, as far as they may reach.
-std::vector<std::string> pragmas_of(const Words& text) {
-    constexpr size_t kReach = 24;
-    std::vector<std::string> out;
-    for (size_t i = 0; i + 1 < text.size(); ++i) {
-        if (text[i] != "#" || text[i + 1] != "pragma") continue;
-        const size_t found = directive_end(text, i), end = found > i ? found : std::min(text.size(), i + kReach);
-        for (size_t k = i; k < end; ++k) out.emplace_back(text[k]);
-    }
-    return out;
 }
 
 /// How a text launches kernels, and with what; that is never silent either.

@@ -17,6 +17,7 @@
 #include "porttool/compare/statement_edit.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
+#include "porttool/normal/diff.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/statements.h"
 
@@ -156,6 +157,92 @@ Grouping worst_of(const std::vector<GroupedStatement>& here, const std::vector<G
     return out;
 }
 
+/// All that came on one side, as one.
+struct AllGrouped {
+    Text bare, loose, types;
+
+    AllGrouped(const StatementEdit& edit, const Dialect& dialect) {
+        for (const size_t i : edit.gained) {
+            if (edit.now[i].is_brace()) {
+                loose.push_back(edit.now[i].key);
+                continue;
+            }
+            const GroupedStatement one(edit.now[i].common, dialect);
+            bare.insert(bare.end(), one.bare.begin(), one.bare.end());
+            loose.insert(loose.end(), one.loose.begin(), one.loose.end());
+            loose.emplace_back(";");
+            types.insert(types.end(), one.types.begin(), one.types.end());
+        }
+    }
+
+    /// How it puts names and numbers together, whatever these are.
+    Text shape() const {
+        Text out;
+        for (const std::string& word : loose)
+            out.emplace_back(is_name_or_number(word) ? "n" : word == "[" ? "(" : word == "]" ? ")" : word);
+        return out;
+    }
+};
+
+/// Reads what came on one side beside what came on the other.
+class Contradictions {
+public:
+    Contradictions(const PairTexts& texts, const Dialect& dialect)
+        : here_(names_in(texts.source_before, dialect)), there_(names_in(texts.target_before, dialect)) {}
+
+    bool are_between(const Text& here, const Text& there) {
+        Text lost, gained;
+        std::set<std::string> all_lost, all_gained;
+        bool any = false;
+        const auto end_hunk = [&] {
+            for (size_t k = 0; lost.size() == gained.size() && k < lost.size(); ++k)
+                any = any || contradict(lost[k], gained[k]);
+            is_in_turn_ = is_in_turn_ && lost.size() == gained.size();
+            lost.clear();
+            gained.clear();
+        };
+        for (const DiffStep& step : diff(here, there)) {
+            if (step.kind == DiffStep::Keep) {
+                end_hunk();
+            } else if (step.kind == DiffStep::Remove) {
+                all_lost.insert(lost.emplace_back(here[step.before]));
+            } else {
+                all_gained.insert(gained.emplace_back(there[step.now]));
+            }
+        }
+        end_hunk();
+        return any || std::any_of(all_lost.begin(), all_lost.end(),
+                                  [&](const std::string& word) { return all_gained.contains(word); });
+    }
+
+    /// True if each word of one side has its own of the other's beside it.
+    bool is_in_turn() const { return is_in_turn_; }
+
+private:
+    static std::set<std::string> names_in(const Words& text, const Dialect& dialect) {
+        std::set<std::string> out;
+        for (const std::string_view word : text) {
+            if (!is_word_token(word)) continue;
+            std::string said = common_word(word, dialect);
+            out.insert(said.empty() ? std::string(word) : std::move(said));
+        }
+        return out;
+    }
+
+    bool contradict(const std::string& here, const std::string& there) {
+        if (!is_name_or_number(here) && !is_name_or_number(there)) return true;
+        if (!is_word_token(here) || !is_word_token(there)) return false;
+        if (!here_.contains(here) || !there_.contains(there)) return false;  // new, or of the language
+        if (there_.contains(here) || here_.contains(there)) return true;
+        return stands_for_.emplace(here, there).first->second != there ||
+               stood_for_.emplace(there, here).first->second != here;
+    }
+
+    std::set<std::string> here_, there_;
+    std::map<std::string, std::string> stands_for_, stood_for_;
+    bool is_in_turn_ = true;
+};
+
 /// Types of numbers that one of two texts has and the other has not.
 std::set<std::string> own_types(const Words& here, const Words& there) {
     const auto types_in = [](const Words& text) {
@@ -170,6 +257,12 @@ std::set<std::string> own_types(const Words& here, const Words& there) {
     return out;
 }
 
+/// True if an edit puts the words of a statement into other brackets.
+bool puts_in_other_brackets(const StatementEdit& edit, const Dialect& dialect) {
+    return worst_of(grouped(edit.now, &edit.gained, dialect), grouped(edit.before, &edit.lost, dialect), {}) ==
+           Grouping::OtherBrackets;
+}
+
 }  // namespace
 
 Grouping grouping_of_edits(const PairTexts& texts, const Dialect& dialect) {
@@ -177,6 +270,23 @@ Grouping grouping_of_edits(const PairTexts& texts, const Dialect& dialect) {
                         target = edit_with_casts(texts.target_before, texts.target_now, dialect);
     return worst_of(grouped(source.now, &source.gained, dialect), grouped(target.now, &target.gained, dialect),
                     own_types(texts.source_before, texts.target_before));
+}
+
+bool edits_contradict(const PairTexts& learned, const Dialect& dialect) {
+    const StatementEdit source = edit_with_casts(learned.source_before, learned.source_now, dialect),
+                        target = edit_with_casts(learned.target_before, learned.target_now, dialect);
+    if (puts_in_other_brackets(source, dialect) != puts_in_other_brackets(target, dialect)) return true;
+    const AllGrouped here(source, dialect), there(target, dialect);
+    Contradictions found(learned, dialect);
+    if (found.are_between(here.bare, there.bare)) return true;
+    if (!found.is_in_turn()) return here.bare.size() == there.bare.size();
+    if (here.shape() != there.shape()) return true;
+    const std::set<std::string> own = own_types(learned.source_before, learned.target_before);
+    return here.types.size() == there.types.size() &&
+           !std::equal(here.types.begin(), here.types.end(), there.types.begin(),
+                       [&](const std::string& a, const std::string& b) {
+                           return a == b || (own.contains(a) && own.contains(b));
+                       });
 }
 
 Grouping grouping_of_edit(const LoneTexts& texts, const Dialect& dialect) {

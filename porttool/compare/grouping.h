@@ -23,4 +23,12 @@ Grouping grouping_of_edits(const PairTexts& texts, const Dialect& dialect);
 /// Of what came on one side, held against all that the other says.
 Grouping grouping_of_edit(const LoneTexts& texts, const Dialect& dialect);
 
+/// Of edits in each side's own words: true if what came on both sides, told in the words of the target as far as the
+/// pair taught them, has another known name, another sign or another type where it is otherwise the same, or has the
+/// same words in another order or in other brackets.
+///
+///     if (clear < 0.5f) light += 1;        if (sum < 0.5) left += 1;        where `light` was `sum` throughout
+///     min(max(x, 0), lim)                  max(min(x, 0), lim)
+bool edits_contradict(const PairTexts& learned, const Dialect& dialect);
+
 }  // namespace porttool

@@ -8,6 +8,7 @@
 #include "porttool/compare/asides.h"
 #include "porttool/compare/common_ground.h"
 #include "porttool/compare/computed_values.h"
+#include "porttool/compare/declared_otherwise.h"
 #include "porttool/compare/grouping.h"
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
@@ -439,17 +440,25 @@ void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& be
     const BySide<Language> languages{language(Side::Source), language(Side::Target)};
     const LearnedWords said = in_words_of_target(texts, dialect_, {pair.id.source, pair.id.target});
     const PairTexts learned{said.before, said.now, texts.target_before, texts.target_now};
+    const auto weigh = [&](Level level, const std::string& why) {
+        if (is_declared_otherwise(texts))
+            weaken(pair, finding, Level::Warning, why + ", beside a type or a pragma that one side changed");
+        else
+            weaken(pair, finding, level, why);
+    };
     if (only_adds_labels_of_other(then.source, now.source, now.target) &&
         only_adds_labels_of_other(then.target, now.target, now.source))
-        weaken(pair, finding, Level::Note, "the same labels joined an arm on both sides");
+        weigh(Level::Note, "the same labels joined an arm on both sides");
     else if (is_declared_alike && (edits_spot_by_spot(texts, dialect_) || edits_spot_by_spot(learned, dialect_)))
-        weaken(pair, finding, Level::Note, "word for word the same came and went, at the same places");
+        weigh(Level::Note, "word for word the same came and went, at the same places");
     else if (edits_in_own_words(texts, dialect_))
-        weaken(pair, finding, grouping_of_edits(texts, dialect_) == Grouping::Alike ? Level::Note : Level::Warning,
-               "each side says for the most part what the other does");
+        weigh(grouping_of_edits(texts, dialect_) == Grouping::Alike && !edits_contradict(learned, dialect_)
+                  ? Level::Note
+                  : Level::Warning,
+              "each side says for the most part what the other does");
     else if (is_declared_alike && (edits_leave_no_difference(texts, dialect_, languages) ||
                                    edits_leave_no_difference(learned, dialect_, languages)))
-        weaken(pair, finding, Level::Note, "what came is the same, and what each had in its own words is gone");
+        weigh(Level::Note, "what came is the same, and what each had in its own words is gone");
 }
 
 }  // namespace porttool

@@ -85,6 +85,79 @@ TEST(WeighedEdit, BracketsCastsAndTypesOfWhatCameInOwnWords) {
     });
 }
 
+TEST(WeighedEdit, AnotherTypeBesideOneEditOfBothSides) {
+    const BySide<std::string> was = {
+        "uint32_t f(uint32_t x, float scale) {\n  uint32_t h = x;\n  for (int k = 0; k < 3; ++k) { h ^= h >> 16; }\n"
+        "  float r = h * scale;\n  return h + r;\n}\n",
+        "std::uint32_t f(std::uint32_t bits, float unit) {\n  std::uint32_t value = bits;\n  #pragma omp critical\n"
+        "  for (int t = 0; t < 3; ++t) { value ^= value >> 16; }\n"
+        "  float real = value * unit;\n  return value + real;\n}\n"};
+    struct OfBoth {
+        std::string what, from_source, to_source, from_target, to_target;
+    };
+    const std::vector<OfBoth> edits = {
+        {"a statement", "float r =", "h += 7u; float r =", "float real =", "value += 7u; float real ="},
+        {"two", "float r =", "h *= 5u; h ^= h >> 3; float r =", "float real =",
+         "value *= 5u; value ^= value >> 3; float real ="},
+        {"a number", ">> 16", ">> 15", ">> 16", ">> 15"},
+        {"a loss", "h ^= h >> 16;", "", "value ^= value >> 16;", ""},
+    };
+    const std::vector<std::pair<std::string, std::string>> beside = {
+        {"(std::uint32_t bits", "(std::int32_t bits"},
+        {"(std::uint32_t bits", "(std::uint64_t bits"},
+        {"(std::uint32_t bits", "(std::uint32_t& bits"},
+        {"std::uint32_t f(", "std::int32_t f("},
+        {"std::uint32_t f(", "std::uint8_t f("},
+        {"float unit", "double unit"},
+        {"std::uint32_t value", "std::int32_t value"},
+        {"float real", "int real"},
+        {"  #pragma omp critical\n", ""},
+        {"omp critical", "omp parallel for"},
+    };
+    for (const OfBoth& edit : edits) {
+        const BySide<std::string> now = {replaced(was.source, edit.from_source, edit.to_source),
+                                         replaced(was.target, edit.from_target, edit.to_target)};
+        expect_all({{edit.what, was, now, {}}});
+        for (const auto& [from, to] : beside) {
+            const BySide<std::string> other = {now.source, replaced(now.target, from, to)};
+            expect_all({{edit.what + ", beside " + to, was, other, {"port-differs"}}});
+        }
+    }
+}
+
+TEST(WeighedEdit, WhatCameInOwnWordsContradictsThePair) {
+    const BySide<std::string> was = {
+        "float f(const float* rgb, int n, float gain, float bias) {\n  float light = 0.0f;\n  float clear = 1.0f;\n"
+        "  for (int k = 0; k < n; ++k) { const float t = rgb[k] * gain; light += t * clear; clear *= bias; }\n"
+        "  if (light > gain) { light = gain; }\n  clear = clear * gain;\n  return light + clear * bias;\n}\n",
+        "float f(std::span<const float> tint, float factor, float shift) {\n  float sum = 0.0f;\n  float left = 1.0f;\n"
+        "  for (const float each : tint) { const float way = each * factor; sum += way * left; left *= shift; }\n"
+        "  if (sum > factor) { sum = factor; }\n  left = left * factor;\n  return sum + left * shift;\n}\n"};
+    const auto row = [&](const std::string& source, const std::string& target) {
+        return Weighed{source + " / " + target,
+                       was,
+                       {replaced(was.source, "return light", source + " return light"),
+                        replaced(was.target, "return sum", target + " return sum")},
+                       {"port-differs"}};
+    };
+    const std::string block = "if (clear < 0.5f) { light += 1; clear = 0.5f; }";
+    expect_all({
+        row(block, "if (left < 0.5f) { left += 1; left = 0.5f; }"),
+        row(block, "if (left < 0.5f) { sum += 1; sum = 0.5f; }"),
+        row(block, "if (sum < 0.5f) { sum += 1; left = 0.5f; }"),
+        row(block, "if (left <= 0.5f) { sum += 1; left = 0.5f; }"),
+        row("light = light * 0.5f + gain * 0.25f; clear = clear * 0.75f + light;",
+            "sum = sum * 0.5f + left * 0.25f; left = left * 0.75f + sum;"),
+        row("light = light * 0.5f + gain * 0.25f; clear = clear * 0.75f + light;",
+            "sum = sum * 0.5f + factor * 0.25f; left = left * (0.75f + sum);"),
+        row("light = fminf(fmaxf(light, 0.0f), gain);", "sum = std::max(std::min(sum, 0.0f), factor);"),
+        row("light = light - gain - bias;", "sum = sum - (factor - shift);"),
+        row("light = light / gain * bias;", "sum = sum / (factor * shift);"),
+        row("float q = light * 3.0f; light += q * gain;", "int q = sum * 3.0f; sum += q * factor;"),
+        row("for (int j = 0; j < n; ++j) { light += gain; }", "for (float j = 0; j < n; ++j) { sum += factor; }"),
+    });
+}
+
 TEST(WeighedEdit, AnArmThatSaysAnotherThingThanTheOthers) {
     const std::string head = "float f(int k, float x, float y) {\n  switch (k) {\n    case ADD: return x + y;\n";
     const std::string tail = "  }\n  return 0.0f;\n}\n";
