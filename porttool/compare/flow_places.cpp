@@ -20,6 +20,7 @@ namespace {
 
 constexpr size_t kMostWordsOfFlow = 24'000;  // of all texts
 constexpr size_t kMostPlaced = 8;            // statements of an edit
+constexpr size_t kMostNamesPlaced = 16;      // names of a statement that are asked about
 
 using FlowWords = std::vector<std::string>;
 
@@ -78,7 +79,10 @@ struct FlowSkips {
 class FlowOfText {
 public:
     FlowOfText(const std::vector<Statement>& statements, const std::vector<size_t>& edited)
-        : statements_(statements), edited_(edited), closing_(statements.size(), statements.size()) {
+        : statements_(statements),
+          edited_(edited),
+          closing_(statements.size(), statements.size()),
+          declares_(statements.size()) {
         for (size_t i = 0; i < statements.size(); ++i) {
             const Statement& statement = statements[i];
             if (statement.is_brace() && statement.head != Statement::kNoHead) closing_[statement.head] = i;
@@ -96,10 +100,10 @@ public:
     const FlowWords& words(size_t i) const { return statements_[i].common; }
     const std::string& shown(size_t i) const { return statements_[i].shown; }
 
-    /// The names of a statement in their order, each once.
+    /// The first names of a statement in their order, each once.
     std::vector<std::string_view> names_of(size_t i) const {
         std::vector<std::string_view> out;
-        for (size_t k = 0; k < words(i).size(); ++k)
+        for (size_t k = 0; k < words(i).size() && out.size() < kMostNamesPlaced; ++k)
             if (is_flow_name(words(i), k) && std::find(out.begin(), out.end(), words(i)[k]) == out.end())
                 out.emplace_back(words(i)[k]);
         return out;
@@ -188,7 +192,7 @@ private:
             if (word_is(word, kControls) || is_one_of(word, {"return", "else", "case", "goto", "delete", "#"})) return;
             const bool is_name = is_word_token(word) && types > 0 && depth == 0;
             if (is_name && is_one_of(next, {"=", ";", ",", "[", "{", ":", ")"})) {
-                locals_.insert({word, {i, is_handle}});
+                if (locals_.insert({word, {i, is_handle}}).second) declares_[i] = true;
                 while (k + 1 < said.size() && !(depth == 0 && is_one_of(said[k + 1], {",", ";"}))) {
                     ++k;
                     depth += is_one_of(said[k], {"(", "[", "{"}) ? 1 : is_one_of(said[k], {")", "]", "}"}) ? -1 : 0;
@@ -304,13 +308,12 @@ private:
         return local->second.is_handle && (reaches_on || (k > 0 && said[k - 1] == "*"));
     }
 
-    bool locals_at(size_t i) const {
-        return std::any_of(locals_.begin(), locals_.end(), [&](const auto& each) { return each.second.declared == i; });
-    }
+    bool locals_at(size_t i) const { return declares_[i]; }
 
     const std::vector<Statement>& statements_;
     const std::vector<size_t>& edited_;
     std::vector<size_t> closing_;  ///< of each head its brace
+    std::vector<bool> declares_;   ///< of each statement
     std::map<std::string, LocalOfFlow, std::less<>> locals_;
 };
 
