@@ -45,14 +45,29 @@ std::vector<NamedUnit> named_units(const Case& facts, const LockIndex& locks, Si
     return out;
 }
 
+/// The pairs of the map. What finds them is large where they are many, and gone before they are judged.
+std::vector<MappedPair> mapped_pairs(const Case& facts) {
+    const LockIndex locks(facts.map, facts.lock, facts.source, facts.target);
+    const Resolver source(facts.source, named_units(facts, locks, Side::Source), facts.base_text);
+    const Resolver target(facts.target, named_units(facts, locks, Side::Target), facts.base_text);
+    size_t count = 0;
+    for (const MapPair& pair : facts.map.pairs) count += pair.targets.size();
+    std::vector<MappedPair> out;
+    out.reserve(count);
+    for (const MapPair& pair : facts.map.pairs)
+        for (const std::string& id : pair.targets)
+            out.push_back({{pair.source, id},
+                           pair.line,
+                           {source.find(pair.source), target.find(id)},
+                           locks.find(pair.source, id)});
+    return out;
+}
+
 class Judge {
 public:
     explicit Judge(const Case& facts)
         : facts_(facts),
-          locks_(facts.map, facts.lock, facts.source, facts.target),
-          source_(facts.source, named_units(facts, locks_, Side::Source), facts.base_text),
-          target_(facts.target, named_units(facts, locks_, Side::Target), facts.base_text),
-          pairs_(mapped_pairs()),
+          pairs_(mapped_pairs(facts)),
           renamed_(renamed_names()),
           shared_ports_(facts, renamed_, pairs_),
           findings_(facts.map),
@@ -66,6 +81,7 @@ public:
 
     Judgement run() {
         out_.reference = facts_.map.reference;
+        out_.pairs.reserve(pairs_.size());
         for (const MappedPair& pair : pairs_) judge_pair(pair);
         find_unwatched(facts_, findings_, verdicts_, out_);
         macro_edits_.tell_how_many();
@@ -81,17 +97,6 @@ public:
     }
 
 private:
-    std::vector<MappedPair> mapped_pairs() const {
-        std::vector<MappedPair> out;
-        for (const MapPair& pair : facts_.map.pairs)
-            for (const std::string& target : pair.targets)
-                out.push_back({{pair.source, target},
-                               pair.line,
-                               {source_.find(pair.source), target_.find(target)},
-                               locks_.find(pair.source, target)});
-        return out;
-    }
-
     BySide<RenamedNames> renamed_names() const {
         BySide<RenamedNames> out;
         for (const MappedPair& pair : pairs_)
@@ -227,8 +232,6 @@ private:
     }
 
     const Case& facts_;
-    LockIndex locks_;
-    Resolver source_, target_;
     std::vector<MappedPair> pairs_;
     BySide<RenamedNames> renamed_;
     SharedPorts shared_ports_;

@@ -3,6 +3,7 @@
 #include "porttool/judge/shared_port.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace porttool {
 namespace {
@@ -15,8 +16,14 @@ const Fingerprints* prints_of(const MappedPair& pair, Side side) {
 
 SharedPorts::SharedPorts(const Case& facts, const BySide<RenamedNames>& renamed, const std::vector<MappedPair>& pairs)
     : facts_(facts), renamed_(renamed), side_(facts.map.reference == Reference::Target ? Side::Source : Side::Target) {
+    const auto is_looked_at = [&](const MappedPair& pair) {
+        return pair.units[side_].unit != nullptr && pair.lock.pair != nullptr;
+    };
+    std::unordered_set<const UnitState*> once, several;  // most units are in one pair, and need no group
     for (const MappedPair& pair : pairs)
-        if (pair.units[side_].unit != nullptr && pair.lock.pair != nullptr)
+        if (is_looked_at(pair) && !once.insert(pair.units[side_].unit).second) several.insert(pair.units[side_].unit);
+    for (const MappedPair& pair : pairs)
+        if (is_looked_at(pair) && several.contains(pair.units[side_].unit))
             groups_[pair.units[side_].unit].pairs.push_back(&pair);
 }
 
@@ -37,7 +44,7 @@ SharedPorts::Worth SharedPorts::answer_of(const MappedPair& pair) const {
 
 SharedPorts::Worth SharedPorts::worth_of(const MappedPair& pair) {
     const auto found = groups_.find(pair.units[side_].unit);
-    if (found == groups_.end() || found->second.pairs.size() < 2 || pair.lock.pair == nullptr) return Worth::Tell;
+    if (found == groups_.end() || pair.lock.pair == nullptr) return Worth::Tell;
     Group& group = found->second;
     const Print print = prints_of(pair, side_)->written;
     const auto [known, is_new] = group.answers.try_emplace(print, Worth::Tell);

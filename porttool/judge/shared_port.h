@@ -45,7 +45,7 @@ private:
     const Case& facts_;
     const BySide<RenamedNames>& renamed_;
     Side side_;
-    std::map<const UnitState*, Group> groups_;
+    std::map<const UnitState*, Group> groups_;  ///< of units in more than one pair
 };
 
 }  // namespace porttool

@@ -23,6 +23,7 @@ SuppressionIndex::SuppressionIndex(const std::vector<PlacedSuppression>& suppres
 }
 
 std::optional<size_t> SuppressionIndex::use(Rule rule, const Place& place) {
+    if (groups_.empty()) return std::nullopt;
     const bool whole_file = place.id.ends_with(":@file");
     const auto [known, fresh] = known_.try_emplace({rule, place.file, whole_file ? "" : place.id});
     if (!fresh) return known->second;

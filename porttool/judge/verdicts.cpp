@@ -80,8 +80,12 @@ void Verdicts::report_idle() {
     report_idle_ignores();
 }
 
-const std::vector<const LedgerEntry*>& Verdicts::entries_of(const std::string& source, const std::string& target) {
-    return ledger_[{source, target}];
+const std::vector<const LedgerEntry*>& Verdicts::entries_of(const std::string& source,
+                                                            const std::string& target) const {
+    static const std::vector<const LedgerEntry*> kNone;
+    if (ledger_.empty()) return kNone;
+    const auto found = ledger_.find({source, target});
+    return found == ledger_.end() ? kNone : found->second;
 }
 
 bool Verdicts::suppress(size_t first) {

@@ -23,8 +23,9 @@ public:
     Verdicts(const Case& facts, FindingList& findings);
 
     /// Lets it settle the findings of a pair, which are those from `first` on. Defer or Ignore where the pair counts as
-    /// that. A verdict on a pair in step, and a deferral that has expired, are findings themselves. `drifted_before`: the
-    /// pair had drifted at the merge base already, of which nothing is told here, and which a verdict may well settle.
+    /// that. A verdict on a pair in step, and a deferral that has expired, are findings themselves. `drifted_before`:
+    /// the pair had drifted at the merge base already, of which nothing is told here, and which a verdict may well
+    /// settle.
     std::optional<Verdict> settle(const JudgedPair& pair, size_t first, bool drifted_before);
 
     /// The same for the finding of a unit without a counterpart, the last of the list. `baseline` is the line that
@@ -35,14 +36,14 @@ public:
     /// True for a unit that an [[ignore]] names.
     bool is_ignored(const UnitState& unit) const { return ignored_.contains(unit.id); }
     /// True where a person deferred or ignored that pair.
-    bool knows(const JudgedPair& pair) { return !entries_of(pair.id.source, pair.id.target).empty(); }
+    bool knows(const JudgedPair& pair) const { return !entries_of(pair.id.source, pair.id.target).empty(); }
 
     /// Adds findings for comments and [[ignore]]s that settle nothing; after all others.
     void report_idle();
 
 private:
     /// The verdicts on a pair, or on a unit without one (the other side empty).
-    const std::vector<const LedgerEntry*>& entries_of(const std::string& source, const std::string& target);
+    const std::vector<const LedgerEntry*>& entries_of(const std::string& source, const std::string& target) const;
 
     /// Lets comments settle findings from `first` on; true if they settle some and leave none open but notes.
     bool suppress(size_t first);
