@@ -98,6 +98,9 @@ std::unique_ptr<WriteGuard> guard_lock(const ProjectChoice& choice, Workplace& p
 
 void store_lock(const Project& project, const NewRecord& record, Disk& disk) {
     require_own_base(project, disk);
+    if (disk.is_read_only(beside_map(project, "portmap.lock")))
+        throw CannotDo(terminal_text(lock_path(project)) +
+                       " is read-only; nothing was written. Make it writable: chmod u+w");
     const std::set<Print> needed = prints_of(record.lock);
     std::vector<FileToWrite> files;
     for (const auto& [print, text] : texts_behind(needed, record))

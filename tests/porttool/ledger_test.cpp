@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "porttool/compare/constant_expression.h"
+#include "porttool/read/source_files.h"
 #include "tests/porttool/temporary_repository.h"
 
 namespace porttool::testing::ledger_test {
@@ -291,6 +292,25 @@ TEST_F(LedgerInGit, AVerdictOnADriftThatIsOlderThanTheBaseIsNotIdle) {
     commit("three");
     const CommandRun idle = porttool({"check", "--base", "HEAD", "--format", "json"});
     EXPECT_EQ(rules(nlohmann::json::parse(idle.out)), Rules{"unused-suppression"}) << "both sides are as recorded";
+}
+
+TEST_F(LedgerInGit, ALockThatIsReadOnlyStaysAsItIs) {
+    write("src/k.cu", kTwo);
+    write("port/k.comp", kTwoPort);
+    ASSERT_EQ(porttool({"init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+    write("src/k.cu", replaced(kTwo, "4.0f", "5.0f"));
+    const auto lock = [&] { return disk.read((root / "portmap.lock").string(), kLargestFile).bytes; };
+    const std::string before = lock();
+    std::filesystem::permissions(root / "portmap.lock", std::filesystem::perms(0444));
+    for (const std::vector<std::string>& command : {std::vector<std::string>{"accept", "--all"},
+                                                    {"ignore", "src/k.cu:g", "--reason", "r"},
+                                                    {"init", "--force", "--source", "src/*", "--target", "port/*"}}) {
+        const CommandRun got = porttool(command);
+        EXPECT_EQ(got.exit_code, 2) << command[0];
+        EXPECT_NE(got.err.find("portmap.lock is read-only; nothing was written"), std::string::npos) << got.err;
+        EXPECT_EQ(lock(), before) << command[0];
+    }
+    EXPECT_EQ(porttool({"check"}).exit_code, 1) << "to read it is enough for that";
 }
 
 }  // namespace
