@@ -18,6 +18,10 @@
 namespace porttool {
 namespace {
 
+bool names_it(const std::vector<std::string_view>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 constexpr size_t kMostWordsOfFlow = 24'000;  // of all texts
 constexpr size_t kMostPlaced = 8;            // statements of an edit
 constexpr size_t kMostNamesPlaced = 16;      // names of a statement that are asked about
@@ -55,7 +59,8 @@ struct FlowUse {
 
 struct LocalOfFlow {
     size_t declared = 0;
-    bool is_handle = false;  ///< a pointer or a reference
+    bool is_handle = false;   ///< a pointer or a reference
+    bool is_several = false;  ///< declared in more than one place
 };
 
 /// How a local is used around a place.
@@ -127,7 +132,7 @@ public:
     /// Nothing if it is no local of a single value.
     std::optional<FlowTally> tally(std::string_view name, size_t place) const {
         const auto local = locals_.find(name);
-        if (local == locals_.end() || local->second.is_handle) return std::nullopt;
+        if (local == locals_.end() || local->second.is_handle || local->second.is_several) return std::nullopt;
         const std::optional<std::vector<FlowUse>> uses = uses_of(name);
         if (!uses) return std::nullopt;
         FlowTally out;
@@ -192,7 +197,11 @@ private:
             if (word_is(word, kControls) || is_one_of(word, {"return", "else", "case", "goto", "delete", "#"})) return;
             const bool is_name = is_word_token(word) && types > 0 && depth == 0;
             if (is_name && is_one_of(next, {"=", ";", ",", "[", "{", ":", ")"})) {
-                if (locals_.insert({word, {i, is_handle}}).second) declares_[i] = true;
+                const auto [local, is_first] = locals_.insert({word, {i, is_handle}});
+                if (is_first)
+                    declares_[i] = true;
+                else
+                    local->second.is_several = true;
                 while (k + 1 < said.size() && !(depth == 0 && is_one_of(said[k + 1], {",", ";"}))) {
                     ++k;
                     depth += is_one_of(said[k], {"(", "[", "{"}) ? 1 : is_one_of(said[k], {")", "]", "}"}) ? -1 : 0;
@@ -359,6 +368,8 @@ std::string first_elsewhere(const FlowOfText& source, const FlowOfText& target, 
             return what + "at different places: what is written before it, or left out, is not the same";
         const std::vector<std::string_view> names = source.names_of(here[i]), others = target.names_of(there[i]);
         for (size_t k = 0; names.size() == others.size() && k < names.size(); ++k) {
+            // A name that the other statement has as well is not matched with another one by its rank.
+            if (names[k] != others[k] && (names_it(names, others[k]) || names_it(others, names[k]))) continue;
             const auto one = source.tally(names[k], here[i]), other = target.tally(others[k], there[i]);
             const bool writes = source.writes(here[i], names[k]);
             if (one && other && writes == target.writes(there[i], others[k]) && !is_same_place(*one, *other, writes))
