@@ -115,6 +115,7 @@ private:
         new_names_.judge(pair);
         report_unexplained(pair);
         const Level told = weigh_shared_port(mapped, pair, first);
+        report_other_parts(mapped, pair, first);
         const std::optional<Verdict> verdict = verdicts_.settle(pair, first, drifted_before(mapped));
         Level worst = told;
         for (const Finding& finding : findings_.from(first)) worst = std::max(worst, finding.level);
@@ -197,6 +198,29 @@ private:
             return Level::Off;
         }
         return Level::Off;
+    }
+
+    /// An edit of a shared port that lies in the parts of others is no port of this one's, whatever it says.
+    void report_other_parts(const MappedPair& mapped, JudgedPair& pair, size_t first) {
+        const auto all = findings_.from(first);
+        const auto edits = std::find_if(all.begin(), all.end(),
+                                        [](const Finding& finding) { return finding.rule == Rule::PortDiffers; });
+        const bool differs = edits != all.end();
+        if ((!differs && !pair_judge_.found_one_edit()) || (differs && edits->level >= Level::Error)) return;
+        const EditOfParts edit = shared_ports_.edit_of(mapped);
+        if (edit.kind == EditOfParts::Fits) return;
+        if (differs && edit.kind == EditOfParts::PerhapsNot && edits->level >= Level::Warning) return;
+        if (differs) findings_.drop(first + static_cast<size_t>(edits - all.begin()));
+        const bool in_source = shared_ports_.side() == Side::Source;
+        const std::string& whose = edit.owner->id[other(shared_ports_.side())];
+        const bool is_sure = edit.kind == EditOfParts::OfOthers;
+        Finding& finding = findings_.add(
+            in_source ? Rule::TargetChanged : Rule::SourceChanged, pair, ChangeKind::Semantic,
+            in_source ? "the port changed; its source did not: " : "the source changed; its port did not: ");
+        finding.message += pair.id[shared_ports_.side()] +
+                           (is_sure ? " was edited in the part of " : " may have been edited in the part of ") + whose;
+        if (!is_sure) finding.level = std::min(finding.level, Level::Warning);
+        pair.equivalent = false;
     }
 
     static PairStanding standing_of(Level worst, std::optional<Verdict> verdict) {

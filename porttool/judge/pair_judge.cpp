@@ -116,6 +116,7 @@ JudgedPair PairJudge::judge(const BySide<std::string>& id, int map_line, const B
                             const FoundLock& lock) {
     JudgedPair pair{id, {units.source.unit, units.target.unit}, static_cast<uint32_t>(std::max(1, map_line))};
     const size_t first = findings_.size();
+    found_one_edit_ = false;
     if (lock.pair == nullptr || !report_unread_file(pair, units)) examine(pair, lock.pair);
     const bool both_there = pair.unit.source != nullptr && pair.unit.target != nullptr;
     if (lock.under_old_ids && findings_.size() == first && both_there)
@@ -234,6 +235,7 @@ void PairJudge::compare(JudgedPair& pair, const LockedPair& lock) {
     };
     const PairComparison found = compare_pair({paired(Side::Source), paired(Side::Target)}, dialect_, budget_);
     pair.equivalent = found.standing <= Standing::CaughtUp;
+    found_one_edit_ = found.standing == Standing::Equivalent;
     report_hazards(pair, found);
     if (!found.not_compared.empty()) return report_uncompared(pair, found);
     switch (found.standing) {

@@ -24,6 +24,9 @@ public:
     /// Judges the pair of the map whose ids lead to `units` and to that line of the lock; adds its findings.
     JudgedPair judge(const BySide<std::string>& id, int map_line, const BySide<Resolved>& units, const FoundLock& lock);
 
+    /// True if the pair that was judged last is in step because the edit of one side is the port of the other's.
+    bool found_one_edit() const { return found_one_edit_; }
+
 private:
     /// A recorded unit in a file that cannot be read is not gone, nor has it moved to where a copy of it stands: it may
     /// have been changed in any way. False if none is.
@@ -54,6 +57,7 @@ private:
     FindingList& findings_;
     Dialect dialect_;
     CompareBudget budget_;
+    bool found_one_edit_ = false;
     mutable OwnNames own_names_;                 ///< what was asked of it is kept
     std::map<std::string, std::string> unread_;  ///< files, and why
 };

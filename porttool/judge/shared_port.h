@@ -5,17 +5,11 @@
 #include <map>
 #include <vector>
 
+#include "porttool/judge/mapped_pair.h"
+#include "porttool/judge/other_parts.h"
 #include "porttool/judge/pair_judge.h"
 
 namespace porttool {
-
-/// One pair of the map, with what its ids lead to.
-struct MappedPair {
-    BySide<std::string> id;
-    int map_line = 0;
-    BySide<Resolved> units;
-    FoundLock lock;
-};
 
 /// Units that are the port of several originals. An edit of one answers the edit of one original; to the others it is
 /// no news, also where the two edits are not alike, which is told of that pair. Where no original was edited, one
@@ -30,6 +24,10 @@ public:
     /// Asked once for each such finding, in the order of the pairs.
     Worth worth_of(const MappedPair& pair);
 
+    /// What the edit of the pair's port is to its original, which was edited too: nothing to it where all of it lies in
+    /// the parts of others.
+    EditOfParts edit_of(const MappedPair& pair);
+
     /// The side of the ports.
     Side side() const { return side_; }
 
@@ -40,11 +38,13 @@ private:
         bool told = false;
     };
 
-    Worth answer_of(const MappedPair& pair) const;
+    Worth answer_of(const MappedPair& pair);
+    bool is_original_edited(const MappedPair& pair) const;
 
     const Case& facts_;
     const BySide<RenamedNames>& renamed_;
     Side side_;
+    OtherParts parts_;
     std::map<const UnitState*, Group> groups_;  ///< of units in more than one pair
 };
 

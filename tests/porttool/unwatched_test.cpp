@@ -784,5 +784,38 @@ TEST(SharedPort, AnEditThatIsToldOfOnePairIsNoNewsToTheOthers) {
     }
 }
 
+/// An edit of one of two kernels that one function holds, a loop each, made in the loop of either.
+TEST(SharedPort, AnEditInThePartOfAnotherIsNoPort) {
+    const std::string index = "int i = blockIdx.x * blockDim.x + threadIdx.x;\n    if (i >= n) return;\n";
+    const std::string clip =
+        "__global__ void clip(float* m, int n, float lo, float hi) {\n    " + index +
+        "    float v = m[i];\n    if (v < lo) v = lo;\n    if (v > hi) v = hi;\n    m[i] = v;\n}\n";
+    const std::string noise = "__global__ void noise(float* m, const float* r, int n, float amount) {\n    " + index +
+                              "    float v = m[i];\n    v += amount * r[i];\n    m[i] = v;\n}\n";
+    const std::string port =
+        "void all(float* m, const float* noise, int n, float low, float high, float amount) {\n"
+        "    for (int k = 0; k < n; ++k) {\n        float v = m[k];\n        if (v < low) v = low;\n"
+        "        if (v > high) v = high;\n        m[k] = v; // clip\n    }\n"
+        "    for (int k = 0; k < n; ++k) {\n        float v = m[k];\n        v += amount * noise[k];\n"
+        "        m[k] = v; // noise\n    }\n}\n";
+    MemoryDisk disk;
+    disk.files = {{"/r/src/clip.cu", clip},
+                  {"/r/src/noise.cu", noise},
+                  {"/r/port/m.cpp", port},
+                  {"/r/portmap.toml",
+                   "version = 1\n[sides]\nsource = [\"src/*\"]\ntarget = [\"port/*\"]\n"
+                   "[[pair]]\nsource = \"src/clip.cu:clip\"\ntarget = \"port/m.cpp:all\"\n"
+                   "[[pair]]\nsource = \"src/noise.cu:noise\"\ntarget = \"port/m.cpp:all\"\n"}};
+    ASSERT_EQ(run(disk, {"-C", "/r", "init"}).exit_code, 0);
+    for (const std::string statement : {"v *= 2.0f;", "v += 1.0f;", "if (v > 5.0f) v = 5.0f;"}) {
+        disk.files["/r/src/clip.cu"] = replaced(clip, "m[i] = v;", statement + " m[i] = v;");
+        disk.files["/r/port/m.cpp"] = replaced(port, "m[k] = v; // clip", statement + " m[k] = v;");
+        EXPECT_TRUE(check(disk)["findings"].empty()) << statement << check(disk).dump(1);
+        disk.files["/r/port/m.cpp"] = replaced(port, "m[k] = v; // noise", statement + " m[k] = v;");
+        EXPECT_EQ(check(disk)["summary"]["drifted"], 1) << statement << check(disk).dump(1);
+        EXPECT_EQ(check(disk)["summary"]["review"], 1) << "the part of noise was edited, and noise was not";
+    }
+}
+
 }  // namespace
 }  // namespace porttool::testing::unwatched_test
