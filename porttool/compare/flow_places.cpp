@@ -184,6 +184,21 @@ private:
         return statements_[i].head != Statement::kNoHead && !statements_[i].is_brace() && !words(i).empty();
     }
 
+    /// What the caller does not see, as far as the function's head tells.
+    bool is_parameter_by_value(std::string_view name) const {
+        const FlowWords& head = words(0);
+        size_t from = 0;  // where the parameter begins
+        for (size_t k = 1; k + 1 < head.size(); ++k) {
+            if (is_one_of(head[k], {"(", ","})) from = k;
+            if (head[k] == name && is_one_of(head[k + 1], {",", ")"}))
+                return from > 0 && std::none_of(head.begin() + static_cast<std::ptrdiff_t>(from),
+                                                head.begin() + static_cast<std::ptrdiff_t>(k), [](const auto& word) {
+                                                    return is_one_of(word, {"*", "&", "&&", "out", "inout"});
+                                                });
+        }
+        return false;
+    }
+
     /// `T a = 1 , * b ;` and what a loop declares in its head.
     void note_locals(size_t i) {
         const FlowWords& said = words(i);
@@ -310,6 +325,7 @@ private:
     bool is_seen(const FlowWords& said, size_t k, size_t region) const {
         const FlowWords& head = words(region);
         const bool reaches_on = k + 1 < said.size() && reaches(said[k + 1]);
+        if (region == 0 && !reaches_on && is_parameter_by_value(said[k])) return false;
         const bool counts = heads_loop_in_flow(head) && std::find(head.begin(), head.end(), said[k]) != head.end();
         if (counts && !reaches_on) return false;
         const auto local = locals_.find(said[k]);

@@ -174,5 +174,42 @@ TEST(FlowPlaces, ADeletedStatementIsOfTheSameLocalOnBothSides) {
     }
 }
 
+// The `v` of the one loop is not that of the other: their uses are not counted together.
+TEST(FlowPlaces, LocalsOfOneNameInTwoLoopsAreTwo) {
+    const std::string kernel =
+        "__global__ void f(const float* in, float* out, int n) {\n"
+        "    int i = blockIdx.x * blockDim.x + threadIdx.x;\n"
+        "    if (i >= n) return;\n"
+        "    float v = in[i];\n"
+        "    v = v * 0.5f;\n"
+        "    out[i] = v * v;\n"
+        "}\n";
+    const std::string port =
+        "void f(const std::vector<float>& in, std::vector<float>& out, std::vector<float>& all) {\n"
+        "    for (size_t k = 0; k < in.size(); ++k) {\n"
+        "        float v = all[k];\n"
+        "        v = v + 1.0f;\n"
+        "        all[k] = v;\n"
+        "    }\n"
+        "    for (size_t k = 0; k < in.size(); ++k) {\n"
+        "        float v = in[k];\n"
+        "        v = v * 0.5f;\n"
+        "        out[k] = v * v;\n"
+        "    }\n"
+        "}\n";
+    MemoryDisk disk;
+    disk.files = {{"/r/s/k.cu", kernel},
+                  {"/r/t/k.cpp", port},
+                  {"/r/portmap.toml",
+                   "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n[[pair]]\nsource = "
+                   "\"s/k.cu:f\"\ntarget = \"t/k.cpp:f\"\n"}};
+    ASSERT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0);
+    ASSERT_EQ(run(disk, {"-C", "/r", "accept", "s/k.cu:f=t/k.cpp:f"}).exit_code, 0);
+    disk.files["/r/s/k.cu"] = replaced(kernel, "v * 0.5f;\n", "v * 0.5f;\n    v += 3.0f;\n");
+    disk.files["/r/t/k.cpp"] = replaced(port, "v * 0.5f;\n", "v * 0.5f;\n        v += 3.0f;\n");
+    const nlohmann::json report = check(disk);
+    EXPECT_EQ(rules(report), Rules{}) << report.dump(1);
+}
+
 }  // namespace
 }  // namespace porttool::testing::flow_places_test
