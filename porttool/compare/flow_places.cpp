@@ -314,7 +314,7 @@ private:
         if (word_is(said[0], kControls) || heads_loop_in_flow(said) || said[0] == "#") return false;
         for (size_t k = 0; k < said.size(); ++k)
             if (is_written(said, k)) return is_seen(said, k, region);
-        if (locals_at(i)) return false;
+        if (declares_[i]) return false;
         const auto call = std::find(said.begin(), said.end(), "(");
         if (call == said.end() || !is_word_token(said[0])) return false;
         return std::none_of(said.begin(), call, [](const std::string& word) {
@@ -332,8 +332,6 @@ private:
         if (local == locals_.end() || local->second.declared < region) return true;
         return local->second.is_handle && (reaches_on || (k > 0 && said[k - 1] == "*"));
     }
-
-    bool locals_at(size_t i) const { return declares_[i]; }
 
     const std::vector<Statement>& statements_;
     const std::vector<size_t>& edited_;

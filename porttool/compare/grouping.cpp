@@ -47,7 +47,6 @@ struct GroupedStatement {
     GroupedStatement(const Text& words, const Dialect& dialect) {
         const Text plain = without_scopes(words);
         grouped = in_common_words(without_idle_parentheses(without_casts(plain, true)), dialect);
-        types.clear();
         loose = in_common_words(without_idle_parentheses(without_casts(plain, false)), dialect);
         std::copy_if(loose.begin(), loose.end(), std::back_inserter(bare), [](const std::string& word) {
             return !is_one_of(word, {"(", ")", "[", "]", ",", ":"});

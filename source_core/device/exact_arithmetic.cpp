@@ -4,8 +4,10 @@
 
 #include <cstring>
 #include <map>
+#include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "source_core/device/spirv_module.h"
 
@@ -15,6 +17,22 @@ namespace {
 
 // Numbers of the extended set GLSL.std.450.
 enum Built : uint32_t { SQRT = 31, FMIN = 37, FMAX = 40, FCLAMP = 43, CROSS = 68 };
+
+// The function that stands for a built-in of each component; null: none does.
+const char* function_by_component(uint32_t built) {
+    switch (built) {
+        case SQRT:
+            return "exact_root(f1;";
+        case FMIN:
+            return "exact_smaller(f1;f1;";
+        case FMAX:
+            return "exact_larger(f1;f1;";
+        case FCLAMP:
+            return "exact_clamped(f1;f1;f1;";
+        default:
+            return nullptr;
+    }
+}
 
 // Numbers of SPV_KHR_float_controls: a capability and the execution mode that it allows.
 struct Control {
@@ -65,25 +83,15 @@ private:
 
     bool write_built(const Instruction& instruction) {
         const std::vector<uint32_t> operands(instruction.words + 5, instruction.words + instruction.length());
-        switch (instruction[4]) {
-            case SQRT:
-                by_component(instruction, "exact_root(f1;", operands);
-                return true;
-            case FMIN:
-                by_component(instruction, "exact_smaller(f1;f1;", operands);
-                return true;
-            case FMAX:
-                by_component(instruction, "exact_larger(f1;f1;", operands);
-                return true;
-            case FCLAMP:
-                by_component(instruction, "exact_clamped(f1;f1;f1;", operands);
-                return true;
-            case CROSS:
-                call(instruction[1], instruction[2], "exact_cross(vf3;vf3;", operands);
-                return true;
-            default:
-                return false;
+        if (instruction[4] == CROSS) {
+            call(instruction[1], instruction[2], "exact_cross(vf3;vf3;", operands);
+            return true;
         }
+        const char* function = function_by_component(instruction[4]);
+        if (function != nullptr) {
+            by_component(instruction, function, operands);
+        }
+        return function != nullptr;
     }
 
     void by_component(const Instruction& instruction, const std::string& function,

@@ -20,6 +20,17 @@ float exact_packed(const in uint sign, const in uint digits, const in int expone
     return uintBitsToFloat(sign | bits);
 }
 
+// Of the bits of a positive number that is finite: its significand, and the exponent field that goes with it, which is
+// below 1 for denormals.
+uint exact_significand(const in uint bits) {
+    int up = max(23 - findMSB(bits), 0);
+    return up > 0 ? bits << up : (bits & 0x007fffffu) | 0x00800000u;
+}
+int exact_field(const in uint bits) {
+    int up = max(23 - findMSB(bits), 0);
+    return up > 0 ? 1 - up : int(bits >> 23);
+}
+
 float exact_quotient(const in float dividend, const in float divisor) {
     uint a = floatBitsToUint(dividend);
     uint b = floatBitsToUint(divisor);
@@ -35,11 +46,9 @@ float exact_quotient(const in float dividend, const in float divisor) {
     if (b == 0x7f800000u || a == 0u) {
         return uintBitsToFloat(sign);
     }
-    int up_a = max(23 - findMSB(a), 0);
-    int up_b = max(23 - findMSB(b), 0);
-    uint left = up_a > 0 ? a << up_a : (a & 0x007fffffu) | 0x00800000u;
-    uint by = up_b > 0 ? b << up_b : (b & 0x007fffffu) | 0x00800000u;
-    int exponent = (up_a > 0 ? 1 - up_a : int(a >> 23)) - (up_b > 0 ? 1 - up_b : int(b >> 23)) + 127;
+    uint left = exact_significand(a);
+    uint by = exact_significand(b);
+    int exponent = exact_field(a) - exact_field(b) + 127;
     if (left < by) {
         left <<= 1;
         exponent -= 1;
@@ -61,11 +70,9 @@ float exact_root(const in float x) {
     if (a > 0x7f800000u) {
         return uintBitsToFloat(0xffc00000u);
     }
-    int up = max(23 - findMSB(a), 0);
-    uint digits_of_x = up > 0 ? a << up : (a & 0x007fffffu) | 0x00800000u;
-    int exponent = (up > 0 ? 1 - up : int(a >> 23)) - 127;
+    int exponent = exact_field(a) - 127;
     int odd = exponent & 1;
-    digits_of_x <<= 1 + odd;
+    uint digits_of_x = exact_significand(a) << (1 + odd);
     uint digits = 0u;
     uint left = 0u;
     for (int at = 24; digits < 0x02000000u; at -= 2) {
