@@ -38,21 +38,21 @@ struct Companions {
 
 Result<Companions> read_companions(const Options& options, Console& console) {
     Companions companions;
+    std::vector<std::string> warnings;
     if (!options.camera.file.empty()) {
-        auto camera = render_system::load_camera_file(options.camera.file);
+        auto camera = render_system::load_camera_file(options.camera.file, &warnings);
         if (!camera.ok()) return camera.status;
         companions.camera = std::move(*camera);
     }
     if (!options.sky.file.empty()) {
-        std::vector<std::string> warnings;
         auto sky = render_system::load_sky(options.sky.file, &warnings);
         if (!sky.ok()) return sky.status;
-        for (const std::string& warning : warnings) console.warning(metrics::visible(warning));
         companions.sky = std::move(*sky);
     } else if (options.sky.radiance) {
         const auto& radiance = *options.sky.radiance;
         companions.sky = render_system::Sky{.radiance = {radiance[0], radiance[1], radiance[2]}};
     }
+    for (const std::string& warning : warnings) console.warning(metrics::visible(warning));
     return companions;
 }
 

@@ -52,8 +52,10 @@ struct CameraFile {
 };
 
 /// Reads a camera file: position, target, up, vfov_degrees, and optionally sky_radiance and area_lights (4 corners,
-/// radiance, and a normal that must agree with the corners). Other keys are left alone. Fails as load_scene does.
-Result<CameraFile> load_camera_file(const std::filesystem::path& path);
+/// radiance, and a normal that must agree with the corners). Of other keys `description` and `emitters_in_gltf` are
+/// left alone; what is not known is named in one warning, which is added to `warnings` where given. Fails as load_scene
+/// does.
+Result<CameraFile> load_camera_file(const std::filesystem::path& path, std::vector<std::string>* warnings = nullptr);
 
 /// Adds a quadrilateral light to the scene: two triangles with a black, emissive, one-sided material. Fails with
 /// invalid_argument if the corners enclose no area or something is not finite or negative.

@@ -188,23 +188,24 @@ uint vertex_flags(const CoreMesh& mesh) {
            (mesh.colors.empty() ? 0u : INSTANCE_HAS_COLORS);
 }
 
-std::vector<vec4> pack_vertices(const CoreMesh& mesh) {
+size_t vertex_row_count(const CoreMesh& mesh) {
     const uint flags = vertex_flags(mesh);
-    std::vector<vec4> rows;
-    rows.reserve(mesh.positions.size() *
-                 (1u + (flags >> INSTANCE_UV_SHIFT & 1u) + (flags >> INSTANCE_COLORS_SHIFT & 1u)));
+    return mesh.positions.size() * (1u + (flags >> INSTANCE_UV_SHIFT & 1u) + (flags >> INSTANCE_COLORS_SHIFT & 1u));
+}
+
+void pack_vertices(const CoreMesh& mesh, vec4* rows) {
+    const uint flags = vertex_flags(mesh);
     for (size_t i = 0; i < mesh.positions.size(); ++i) {
-        rows.push_back(row(mesh.normals[i], as_float(mesh.tangents.empty() ? 0u : pack_tangent(mesh.tangents[i]))));
+        *rows++ = row(mesh.normals[i], as_float(mesh.tangents.empty() ? 0u : pack_tangent(mesh.tangents[i])));
         if ((flags & INSTANCE_HAS_UV) != 0u) {
             glm::vec2 uv0 = mesh.uv0.empty() ? glm::vec2(0.0f) : mesh.uv0[i];
             glm::vec2 uv1 = mesh.uv1.empty() ? glm::vec2(0.0f) : mesh.uv1[i];
-            rows.push_back(vec4(uv0.x, uv0.y, uv1.x, uv1.y));
+            *rows++ = vec4(uv0.x, uv0.y, uv1.x, uv1.y);
         }
         if ((flags & INSTANCE_HAS_COLORS) != 0u) {
-            rows.push_back(row(glm::vec3(mesh.colors[i]), mesh.colors[i].w));
+            *rows++ = row(glm::vec3(mesh.colors[i]), mesh.colors[i].w);
         }
     }
-    return rows;
 }
 
 void pack_instance(const CoreTransform& transform, uint first_triangle, uint first_vertex_row, uint flags, vec4* rows) {

@@ -42,8 +42,11 @@ void pack_sky(const render_system::CoreSky& sky, SceneTables& tables);
 /// What of INSTANCE_HAS_... a mesh has.
 uint vertex_flags(const render_system::CoreMesh& mesh);
 
-/// The attribute rows of one mesh: as many a vertex as its flags say.
-std::vector<vec4> pack_vertices(const render_system::CoreMesh& mesh);
+/// How many attribute rows a mesh has: as many a vertex as its flags say.
+size_t vertex_row_count(const render_system::CoreMesh& mesh);
+
+/// Writes them, where there is room for all.
+void pack_vertices(const render_system::CoreMesh& mesh, vec4* rows);
 
 /// INSTANCE_ROWS rows of one instance.
 void pack_instance(const render_system::CoreTransform& transform, uint first_triangle, uint first_vertex_row,

@@ -86,7 +86,7 @@ void SceneStore::set_mesh(uint32_t mesh, const CoreMesh& data) {
     const bool deforms = !geometry_changed_ && same_shape(copy, data);
     if (deforms) {
         std::copy(data.positions.begin(), data.positions.end(), copy.positions.begin());
-        copy.vertex_rows = pack_vertices(data);
+        pack_vertices(data, copy.vertex_rows.data());
         raise(moving_.meshes, mesh);
         deformed_.push_back(mesh);
         return;
@@ -94,7 +94,9 @@ void SceneStore::set_mesh(uint32_t mesh, const CoreMesh& data) {
     mesh_bytes_ -= least_bytes_of(copy);
     copy.positions = {data.positions.begin(), data.positions.end()};  // no more room than that
     copy.triangles = {data.triangles.begin(), data.triangles.end()};
-    copy.vertex_rows = pack_vertices(data);
+    give_back(copy.vertex_rows);
+    copy.vertex_rows.resize(vertex_row_count(data));
+    pack_vertices(data, copy.vertex_rows.data());
     copy.flags = vertex_flags(data);
     mesh_bytes_ += least_bytes_of(copy);
     geometry_changed_ = true;

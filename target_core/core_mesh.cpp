@@ -16,16 +16,17 @@ using namespace render_system;
 
 namespace {
 
-// Replaces `count` elements from `first` on by `rows`, moving what follows.
+// Room for `count` rows in place of `before` from `first` on, moving what follows: to be written there, since rows that
+// were put together elsewhere would be in memory twice.
 template <class Row>
-void splice(std::vector<Row>& table, size_t first, size_t count, const std::vector<Row>& rows) {
-    auto begin = table.begin() + static_cast<ptrdiff_t>(first);
-    if (count == rows.size()) {
-        std::copy(rows.begin(), rows.end(), begin);
-        return;
+Row* make_room(std::vector<Row>& table, size_t first, size_t before, size_t count) {
+    const auto end = table.begin() + static_cast<ptrdiff_t>(first + before);
+    if (count > before) {
+        table.insert(end, count - before, Row{});
+    } else {
+        table.erase(end - static_cast<ptrdiff_t>(before - count), end);
     }
-    table.erase(begin, begin + static_cast<ptrdiff_t>(count));
-    table.insert(table.begin() + static_cast<ptrdiff_t>(first), rows.begin(), rows.end());
+    return table.data() + first;
 }
 
 bool is_identity(const CoreTransform& transform) {
@@ -104,7 +105,7 @@ void CoreMeshes::move_vertices(uint id, const CoreMesh& data) {
     Mesh& mesh = meshes_[id];
     std::vector<PackedVertex> positions = packed_positions(data);
     std::copy(positions.begin(), positions.end(), mesh.positions.begin());
-    splice(vertices_, mesh.first_vertex_row, mesh.vertex_row_count, pack_vertices(data));
+    pack_vertices(data, vertices_.data() + mesh.first_vertex_row);
     mesh.is_baked = false;
     edits_.shape = edits_.shape || !mesh.deforms;
     edits_.deformed.push_back(id);
@@ -128,11 +129,10 @@ void CoreMeshes::set_mesh(uint id, const CoreMesh& data) {
         return;
     }
     edits_.shape = true;
-    std::vector<uvec4> triangles;
-    triangles.reserve(data.triangles.size());
     mesh.materials.clear();
+    uvec4* own = make_room(mesh_triangles_, mesh.first_triangle, mesh.triangle_count, data.triangles.size());
     for (const glm::uvec4& t : data.triangles) {
-        triangles.push_back(uvec4(t.x, t.y, t.z, t.w));
+        *own++ = uvec4(t.x, t.y, t.z, t.w);
         if (mesh.materials.empty() || mesh.materials.back() != t.w) {
             mesh.materials.push_back(t.w);
         }
@@ -146,16 +146,15 @@ void CoreMeshes::set_mesh(uint id, const CoreMesh& data) {
     mesh.moves = mesh.moves || data.moves;
     mesh.deforms = mesh.deforms || data.deforms;
     is_alive_ = is_alive_ || mesh.moves || mesh.deforms;
-    splice(mesh_triangles_, mesh.first_triangle, mesh.triangle_count, triangles);
-    const std::vector<vec4> rows = pack_vertices(data);
-    splice(vertices_, mesh.first_vertex_row, mesh.vertex_row_count, rows);
+    const size_t rows = vertex_row_count(data);
+    pack_vertices(data, make_room(vertices_, mesh.first_vertex_row, mesh.vertex_row_count, rows));
     for (size_t later = id + 1; later < meshes_.size(); ++later) {
-        meshes_[later].first_triangle += triangles.size() - mesh.triangle_count;
-        meshes_[later].first_vertex_row += rows.size() - mesh.vertex_row_count;
+        meshes_[later].first_triangle += data.triangles.size() - mesh.triangle_count;
+        meshes_[later].first_vertex_row += rows - mesh.vertex_row_count;
     }
-    mesh.triangle_count = triangles.size();
+    mesh.triangle_count = data.triangles.size();
     mesh.vertex_count = data.positions.size();
-    mesh.vertex_row_count = rows.size();
+    mesh.vertex_row_count = rows;
     if (mesh.deforms) mesh.spread = spread_of(mesh);
 }
 

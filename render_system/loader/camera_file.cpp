@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "render_system/loader/file_bytes.h"
 #include "render_system/loader/load_error.h"
@@ -22,6 +25,29 @@ const json& member(const json& object, const char* key, const std::string& place
     const auto found = object.find(key);
     if (found == object.end()) fail_at(place + "/" + key, "is missing; add it");
     return *found;
+}
+
+// What a camera file may say. The first two of a file are for its readers.
+constexpr std::string_view kMembers[]{"description", "emitters_in_gltf", "position",     "target",
+                                      "up",          "vfov_degrees",     "sky_radiance", "area_lights"};
+constexpr std::string_view kLightMembers[]{"corners", "radiance", "normal"};
+
+// Members that the picture is made without: of a slip in one that may be missing nothing else would tell.
+void note_unknown(const json& object, std::span<const std::string_view> known, const std::string& place,
+                  std::vector<std::string>& unknown) {
+    for (const auto& [key, value] : object.items()) {
+        if (std::find(known.begin(), known.end(), key) == known.end()) unknown.push_back(place + "/" + key);
+    }
+}
+
+std::string unknown_text(const std::vector<std::string>& unknown) {
+    constexpr size_t kNamed = 4;
+    std::string text = "not known and left out: " + unknown.front();
+    for (size_t i = 1; i < std::min(unknown.size(), kNamed); ++i) text += ", " + unknown[i];
+    if (unknown.size() > kNamed) text += " and " + std::to_string(unknown.size() - kNamed) + " more";
+    return text +
+           "; a camera file has position, target, up, vfov_degrees, sky_radiance, area_lights, and each light corners, "
+           "radiance, normal";
 }
 
 float number_of(const json& value, const std::string& place) {
@@ -47,9 +73,10 @@ glm::vec3 radiance_of(const json& value, const std::string& place) {
     return radiance;
 }
 
-QuadLight quad_light_of(const json& value, const std::string& place) {
+QuadLight quad_light_of(const json& value, const std::string& place, std::vector<std::string>& unknown) {
     QuadLight light;
     const json& corners = member(value, "corners", place);
+    note_unknown(value, kLightMembers, place, unknown);
     if (!corners.is_array() || corners.size() != 4)
         fail_at(place + "/corners", "must be four points; write an array of four arrays of three numbers");
     for (size_t i = 0; i < 4; ++i) {
@@ -67,9 +94,10 @@ QuadLight quad_light_of(const json& value, const std::string& place) {
     return light;
 }
 
-CameraFile camera_file_of(const json& root) {
+CameraFile camera_file_of(const json& root, std::vector<std::string>& unknown) {
     CameraFile file;
     const glm::vec3 position = vector_of(member(root, "position", ""), "/position");
+    note_unknown(root, kMembers, "", unknown);
     const glm::vec3 target = vector_of(member(root, "target", ""), "/target");
     const glm::vec3 up = vector_of(member(root, "up", ""), "/up");
     const float degrees = number_of(member(root, "vfov_degrees", ""), "/vfov_degrees");
@@ -89,14 +117,14 @@ CameraFile camera_file_of(const json& root) {
     const json& lights = root["area_lights"];
     if (!lights.is_array()) fail_at("/area_lights", "must be an array; write [] for no lights");
     for (size_t i = 0; i < lights.size(); ++i) {
-        file.area_lights.push_back(quad_light_of(lights[i], "/area_lights/" + std::to_string(i)));
+        file.area_lights.push_back(quad_light_of(lights[i], "/area_lights/" + std::to_string(i), unknown));
     }
     return file;
 }
 
 }  // namespace
 
-Result<CameraFile> load_camera_file(const std::filesystem::path& path) {
+Result<CameraFile> load_camera_file(const std::filesystem::path& path, std::vector<std::string>* warnings) {
     const auto unreadable = [&](const std::string& why) {
         return Status::error(StatusCode::unreadable, path.string() + ": " + why);
     };
@@ -104,7 +132,10 @@ Result<CameraFile> load_camera_file(const std::filesystem::path& path) {
         const FileBytes file(path);
         const auto* text = reinterpret_cast<const char*>(file.bytes().data());
         if (file.bytes().empty()) return unreadable("the file is empty; a camera file is JSON");
-        return camera_file_of(json::parse(text, text + file.bytes().size()));
+        std::vector<std::string> unknown;
+        CameraFile camera = camera_file_of(json::parse(text, text + file.bytes().size()), unknown);
+        if (warnings && !unknown.empty()) warnings->push_back(path.string() + ": " + unknown_text(unknown));
+        return camera;
     } catch (const LoadError& error) {
         return Status::error(error.code, path.string() + ": " + error.message);
     } catch (const json::exception& error) {

@@ -109,6 +109,20 @@ private:
             omissions.add("vertex colours of unlit materials", mesh_place_);
         }
         if (attribute(primitive, "COLOR_1") != MISSING) omissions.add("more than one set of colours", mesh_place_);
+        if (has_triangles(primitive) && lacks_coordinates(primitive))
+            omissions.add("textures whose coordinates a mesh does not have, but for one texel", mesh_place_);
+    }
+
+    // Whether some texture of its material goes by a set of coordinates that the file does not have.
+    bool lacks_coordinates(const tinygltf::Primitive& primitive) const {
+        const uint32_t id = material_of(document_, primitive);
+        const CoreMaterial& material = scene_.materials()[id].core;
+        return std::any_of(std::begin(kTextureSlots), std::end(kTextureSlots), [&](const auto member) {
+            const CoreTextureSlot& slot = material.*member;
+            if (slot.texture == NONE) return false;
+            const int set = document_.uv_sets[id][slot.uv_set];
+            return attribute(primitive, "TEXCOORD_" + std::to_string(set)) == MISSING;
+        });
     }
 
     bool is_unlit(const tinygltf::Primitive& primitive) const {

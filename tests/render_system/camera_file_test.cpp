@@ -84,6 +84,37 @@ TEST(CameraFile, RefusesWhatItCannotUse) {
     EXPECT_THAT(message_after([](json& d) { d["position"][0] = 1e300; }), HasSubstr("/position/0: must be a number"));
 }
 
+std::vector<std::string> warnings_after(const std::function<void(json&)>& edit) {
+    const TempFolder folder;
+    json document = complete();
+    edit(document);
+    write_file(folder / "camera.json", document.dump());
+    std::vector<std::string> warnings;
+    EXPECT_TRUE(load_camera_file(folder / "camera.json", &warnings).ok());
+    return warnings;
+}
+
+TEST(CameraFile, NamesWhatItDoesNotKnow) {
+    EXPECT_THAT(warnings_after([](json&) {}), IsEmpty());
+    EXPECT_THAT(warnings_after([](json& d) { d["emitters_in_gltf"] = {{{"power", 1}}}; }), IsEmpty());
+    EXPECT_THAT(warnings_after([](json& d) {
+                    d["sky_radance"] = {9, 9, 9};
+                    d["vfov"] = 60;
+                    d["area_lights"][0]["radience"] = {1, 1, 1};
+                }),
+                ElementsAre(HasSubstr("camera.json: not known and left out: /sky_radance, /vfov, "
+                                      "/area_lights/0/radience; a camera file has position,")));
+    EXPECT_THAT(warnings_after([](json& d) {
+                    for (const char* key : {"a1", "a2", "a3", "a4", "a5", "a6"}) d[key] = 0;
+                }),
+                ElementsAre(HasSubstr("left out: /a1, /a2, /a3, /a4 and 2 more; a camera file")));
+    EXPECT_THAT(message_after([](json& d) {  // what is missing is told first
+                    d["positon"] = d["position"];
+                    d.erase("position");
+                }),
+                HasSubstr("/position: is missing"));
+}
+
 TEST(CameraFile, RefusesFilesThatAreMissingOrNoJson) {
     const TempFolder folder;
     EXPECT_EQ(load_camera_file(folder / "nothing.json").status.code, StatusCode::not_found);

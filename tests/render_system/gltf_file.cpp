@@ -135,6 +135,14 @@ GltfFile one_triangle() {
     return file;
 }
 
+GltfFile textured_triangle(int sets) {
+    GltfFile file = one_triangle();
+    json& attributes = file.root["meshes"][0]["primitives"][0]["attributes"];
+    for (int set = 0; set < sets; ++set)
+        attributes["TEXCOORD_" + std::to_string(set)] = file.add(std::vector<glm::vec2>{{0, 0}, {1, 0}, {0, 1}});
+    return file;
+}
+
 std::string png(int width, int height, int channels, const std::vector<uint8_t>& pixels) {
     const auto word = [](size_t value) {
         std::string bytes;

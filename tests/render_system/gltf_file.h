@@ -79,6 +79,8 @@ public:
 
 /// One triangle (0,0,0) (1,0,0) (0,1,0) with normals +z, one node. Mesh 0, node 0.
 GltfFile one_triangle();
+/// The same with so many sets of texture coordinates.
+GltfFile textured_triangle(int sets = 1);
 
 /// An 8-bit PNG: grey (1 channel), grey and alpha (2), RGB (3) or RGBA (4).
 std::string png(int width, int height, int channels, const std::vector<uint8_t>& pixels);

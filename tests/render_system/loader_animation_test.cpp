@@ -299,7 +299,7 @@ TEST(LoaderAnimation, FlatTrianglesAreFlatWhereTheyAreThen) {
 }
 
 TEST(LoaderAnimation, PointersMoveMaterialsLightsAndLensesAsIfTheFileHadTheValues) {
-    GltfFile file = one_triangle();
+    GltfFile file = textured_triangle();
     const int texture = file.add_texture(png_uri(1, 1, 3, {255, 0, 0}));
     const json transform = {{"offset", {0.25, 0}}, {"scale", {2, 2}}};
     file.add_material(

@@ -225,7 +225,7 @@ TEST(LoaderExtensions, ReadsWebpInPlaceOfTheOtherImage) {
     const std::vector<uint8_t> pixels(12, 200);
     ASSERT_TRUE(output->open(image, spec) && output->write_image(OIIO::TypeDesc::UINT8, pixels.data()) &&
                 output->close());
-    GltfFile file = one_triangle();
+    GltfFile file = textured_triangle();
     const int texture = file.add_texture("fallback_that_is_not_there.png");
     file.root["images"].push_back({{"uri", "data:image/webp;base64," + base64(read_file(image))}});
     file.root["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = 1;
@@ -344,7 +344,7 @@ TEST(LoaderExtensions, HidesNodesThatAreNotVisible) {
 const CoreMaterial& first_material(const HostScene& scene) { return scene.materials()[0].core; }
 
 TEST(LoaderExtensions, UnlitSurfacesGiveOffTheirColourAndReflectNothing) {
-    GltfFile file = one_triangle();
+    GltfFile file = textured_triangle();
     const int texture = file.add_texture(png_uri(1, 1, 3, {255, 0, 0}));
     file.add_material(
         {{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.25, 1, 1}}, {"baseColorTexture", {{"index", texture}}}}},
@@ -363,7 +363,7 @@ TEST(LoaderExtensions, UnlitSurfacesGiveOffTheirColourAndReflectNothing) {
 }
 
 TEST(LoaderExtensions, ConvertsSpecularGlossiness) {
-    GltfFile file = one_triangle();
+    GltfFile file = textured_triangle();
     const int texture = file.add_texture(png_uri(1, 1, 4, {128, 64, 32, 51}));
     const json glossy = {{"diffuseFactor", {0.5, 0.25, 0.125, 0.75}},
                          {"specularFactor", {1, 0.75, 0.5}},

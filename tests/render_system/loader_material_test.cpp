@@ -14,11 +14,12 @@ using nlohmann::json;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // One triangle with that material, loaded; the material with what came with it.
 HostScene scene_with(const json& material, std::vector<std::string>* warnings = nullptr,
                      const std::vector<std::string>& images = {}) {
-    GltfFile file = one_triangle();
+    GltfFile file = textured_triangle(8);
     for (const std::string& image : images) file.add_texture(image);
     file.root["meshes"][0]["primitives"][0]["material"] = file.add_material(material);
     return loaded(file, warnings);
@@ -283,7 +284,7 @@ TEST(LoaderMaterial, TheTransformMayOverrideTheUvSet) {
 
 // A base colour texture with that sampler.
 HostTexture texture_with(const json& sampler) {
-    GltfFile file = one_triangle();
+    GltfFile file = textured_triangle();
     file.add_texture(png_uri(4, 2, 3, std::vector<uint8_t>(24, 100)));
     file.root["samplers"] = {sampler};
     file.root["textures"][0]["sampler"] = 0;
@@ -328,7 +329,7 @@ TEST(LoaderMaterial, ReadsImagesFromFilesViewsAndDataUris) {
     const TempFolder folder;
     const std::string image = png(1, 1, 3, {10, 20, 30});
     write_file(folder / "my image.png", image);
-    GltfFile file = one_triangle();
+    GltfFile file = textured_triangle();
     file.add_texture("my%20image.png");
     file.add_texture("data:image/png;base64," + base64(image));
     file.root["images"].push_back({{"bufferView", file.add_view(image)}, {"mimeType", "image/png"}});
@@ -399,6 +400,46 @@ TEST(LoaderMaterial, ATextureWithoutASupportedImageGetsAPlaceholder) {
     const HostScene scene = loaded(file, &warnings);
     EXPECT_TRUE(is_checkerboard(scene.textures()[0]));
     EXPECT_THAT(warnings, ElementsAre(HasSubstr("extension KHR_texture_basisu"), HasSubstr("/textures/0")));
+}
+
+// What is said of a textured material on a mesh with so many sets of coordinates, and with points that have none.
+std::string said_of(int sets, const json& material, bool points = false) {
+    GltfFile file = textured_triangle(sets);
+    file.add_texture(png_uri(1, 1, 3, RED));
+    json& primitive = file.root["meshes"][0]["primitives"][0];
+    primitive["material"] = file.add_material(material);
+    if (points) {
+        json more = primitive;
+        more["attributes"].erase("TEXCOORD_0");
+        more["mode"] = 0;
+        file.root["meshes"][0]["primitives"].push_back(more);
+    }
+    std::vector<std::string> warnings;
+    loaded(file, &warnings);
+    EXPECT_LE(warnings.size(), 1u);
+    return warnings.empty() ? "" : warnings[0];
+}
+
+TEST(LoaderMaterial, NamesTexturesWhoseCoordinatesAMeshDoesNotHave) {
+    const auto base = [](const json& info) { return json{{"pbrMetallicRoughness", {{"baseColorTexture", info}}}}; };
+    const auto moved_to = [](int set) {
+        return json{{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"texCoord", set}}}}}};
+    };
+    const char* const told = "left out: textures whose coordinates a mesh does not have, but for one texel (/meshes/0)";
+    EXPECT_THAT(said_of(0, base({{"index", 0}})), HasSubstr(told));
+    EXPECT_THAT(said_of(1, base({{"index", 0}, {"texCoord", 1}})), HasSubstr(told));
+    EXPECT_THAT(said_of(1, base(moved_to(1))), HasSubstr(told));
+    EXPECT_THAT(said_of(0, {{"normalTexture", {{"index", 0}}}}), HasSubstr(told));
+    EXPECT_THAT(said_of(4, {{"normalTexture", {{"index", 0}, {"texCoord", 3}}},
+                            {"emissiveTexture", {{"index", 0}, {"texCoord", 4}}},
+                            {"emissiveFactor", {1, 1, 1}}}),
+                HasSubstr(told));
+    EXPECT_EQ(said_of(1, base({{"index", 0}})), "");
+    EXPECT_EQ(said_of(2, base({{"index", 0}, {"texCoord", 1}})), "");
+    EXPECT_EQ(said_of(4, base(moved_to(3))), "");
+    EXPECT_EQ(said_of(0, {{"emissiveTexture", {{"index", 0}}}}), "");  // of a factor of 0: it is not read
+    EXPECT_EQ(said_of(0, {{"name", "plain"}}), "");
+    EXPECT_THAT(said_of(1, base({{"index", 0}}), true), Not(HasSubstr("coordinates")));  // points are not shown
 }
 
 TEST(LoaderMaterial, ReadsOnlyTheTexturesOfMaterialsInUse) {

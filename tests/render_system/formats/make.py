@@ -270,6 +270,10 @@ def textures():
     model.write("third_uv_set")
 
     model = Model()
+    model.material(pbrMetallicRoughness={"baseColorTexture": {"index": model.texture(COLOR), "texCoord": 1}})
+    model.write("no_coordinates")
+
+    model = Model()
     texture = model.texture(data_uri("image/png", png(0x1234, 0x0523, 0x8001, 0xFFFF, bits=16)))
     model.material(pbrMetallicRoughness={"baseColorTexture": {"index": texture}})
     model.write("sixteen_bits")
