@@ -55,15 +55,29 @@ std::string unknown_command(const std::string& word) {
            (near.empty() ? "there are " + list : "did you mean '" + near + "'?") + "\n";
 }
 
-/// The option of a command, or of all, that is most like one that nobody knows; "" if none is.
-std::string nearest_option(const CLI::App& app, const CLI::App* command) {
-    std::vector<std::string> names;
-    for (const CLI::App* known : {&app, command})
-        for (const CLI::Option* option : known->get_options())
-            for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    for (const std::string& word : app.remaining(true))
-        if (word.starts_with("--")) return nearest(word.substr(0, word.find('=')), names);
-    return {};
+std::vector<std::string> long_options(const CLI::App& app) {
+    std::vector<std::string> out;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames()) out.push_back("--" + name);
+    return out;
+}
+
+/// What to say of an option that nobody knows: the one of the command, or of all, that is most like it, else which the
+/// command has; "" where it is no option.
+std::string instead_of_option(const CLI::App& app, const CLI::App& command) {
+    const std::vector<std::string> words = app.remaining(true);
+    const auto unknown =
+        std::find_if(words.begin(), words.end(), [](const std::string& word) { return word.starts_with('-'); });
+    if (unknown == words.end()) return {};
+    const std::vector<std::string> own = long_options(command);
+    std::vector<std::string> names = long_options(app);
+    names.insert(names.end(), own.begin(), own.end());
+    if (const std::string near = nearest(unknown->substr(0, unknown->find('=')), names); !near.empty())
+        return "; did you mean '" + near + "'?";
+    std::string list;
+    for (const std::string& name : own)
+        if (name != "--help") list += (list.empty() ? "" : ", ") + name;
+    return "; " + command.get_name() + " has " + list;
 }
 
 /// What a command cannot do without and was not given, or not as often as it has to be: `--owner NAME, --until DATE`.
@@ -85,10 +99,7 @@ std::string wrong_words(const CLI::App& app, const CLI::App& command, const CLI:
     const auto is = [&](CLI::ExitCodes code) { return error.get_exit_code() == static_cast<int>(code); };
     if (is(CLI::ExitCodes::RequiredError) || is(CLI::ExitCodes::ArgumentMismatch))
         if (const std::string names = lacking(command); !names.empty()) return command.get_name() + " needs " + names;
-    std::string text = terminal_text(error.what());
-    if (const std::string near = is(CLI::ExitCodes::ExtrasError) ? nearest_option(app, &command) : ""; !near.empty())
-        text += "; did you mean '" + near + "'?";
-    return text;
+    return terminal_text(error.what()) + (is(CLI::ExitCodes::ExtrasError) ? instead_of_option(app, command) : "");
 }
 
 /// What is wrong with a command line, and which --help tells more: two lines, or one for an unknown command.
@@ -99,7 +110,9 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error, const
                commands.front()->get_name() + " --help' for its options.\n";
     if (!word.empty()) return unknown_command(word);
     const bool lacks = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
-    return "porttool: " + (lacks ? std::string("no command given") : terminal_text(error.what())) +
+    std::string unknown;
+    for (const std::string& left : app.remaining(true)) unknown += (unknown.empty() ? " beside " : " ") + left;
+    return "porttool: " + (lacks ? "no command given" + terminal_text(unknown) : terminal_text(error.what())) +
            "\nRun 'porttool --help' for the commands, and 'porttool COMMAND --help' for the options of one.\n";
 }
 

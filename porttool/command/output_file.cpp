@@ -78,6 +78,7 @@ void require_output(const Options& options, const std::string& option, const std
     const std::string folder = std::filesystem::path(path).parent_path().generic_string();
     if (!folder.empty() && !disk.is_directory(folder))
         throw CannotDo(option + ": there is no folder " + terminal_text(folder) + "; make it first");
+    if (disk.is_directory(path)) throw CannotDo(option + " is a folder; name a file in it");
     const Project project = named_project(options, disk);
     if (leads_out(project, path))
         throw CannotDo(option + " is a link, or lies behind one, that leads out of " + terminal_text(project.root) +

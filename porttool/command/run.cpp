@@ -49,7 +49,7 @@ int run_command(const Options& options, Disk& disk, std::ostream& out, std::ostr
         if (!to_file)
             print(out, text);
         else if (const std::string failure = disk.write(path, text); !failure.empty())
-            throw CannotDo(option + ": " + failure);
+            throw CannotDo(option + ": " + failure + "; name another file");
     } catch (const CannotDo& problem) {
         if (outcome.written.empty()) throw;
         throw CannotDo(std::string(problem.what()) + "; but " + outcome.written + ": do not repeat the command");

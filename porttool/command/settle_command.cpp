@@ -32,12 +32,14 @@ const UnitState& lone_unit(const CheckedProject& checked, const Finding& finding
     return unit->second;
 }
 
-/// Writes the lock without what holds for nothing any more, and the map where it was changed.
-void store(CheckedProject& checked, Disk& disk, const std::string* map_text = nullptr) {
+/// Writes the lock without what holds for nothing any more, and the map where it was changed. What it could not write
+/// anew of the texts behind it is told.
+void store(CheckedProject& checked, Workplace& place, const std::string* map_text = nullptr) {
     drop_idle_lines(checked.lock, checked.project.map, checked.states.source, checked.states.target,
                     checked.project.skipped);
     const bool clears = checked.lock.version == 1;  // its texts have other names
-    store_lock(checked.project, {checked.lock, checked.states, checked.texts, map_text, clears}, disk);
+    store_lock(checked.project, {checked.lock, checked.states, checked.texts, map_text, clears}, place.disk);
+    place.err << told(lost_texts(checked.project, place.disk, checked.lock));
 }
 
 /// Throws CannotDo for an option of words that has none.
@@ -74,7 +76,7 @@ Outcome settle(const Options& options, Workplace& place, Verdict verdict) {
             out += fmt::format("{} {} = {}\n", done, terminal_text(pair->id.source), terminal_text(pair->id.target));
         }
     }
-    store(checked, place.disk);
+    store(checked, place);
     return {out, 0, false, kLockIsWritten};
 }
 
@@ -151,8 +153,12 @@ void declare_accept(Declare& declare, Options& options) {
 
 Outcome run_accept(const Options& options, Workplace& place) {
     require_format(options.format, {"text"});
-    if (options.all == !options.paths.empty())
+    if (!options.all && options.paths.empty())
         throw CannotDo("accept needs ids, or --all for every pair whose two edits are equivalent");
+    if (options.all && !options.paths.empty())
+        throw CannotDo("accept takes ids or --all, not both: leave out --all to accept " +
+                       terminal_text(options.paths.front()) + (options.paths.size() > 1 ? " and the others" : "") +
+                       " alone");
     const auto guard = guard_lock(options, place);
     CheckedProject checked = check_project(options, place);
     follow_baseline(checked.lock, checked.judgement);
@@ -178,7 +184,7 @@ Outcome run_accept(const Options& options, Workplace& place) {
     std::vector<NewPair> fresh;
     for (const JudgedPair& pair : acceptance.fresh) fresh.push_back({pair.id.source, pair.id.target});
     const std::string map = fresh.empty() ? std::string() : add_pairs(checked.project, fresh);
-    store(checked, place.disk, fresh.empty() ? nullptr : &map);
+    store(checked, place, fresh.empty() ? nullptr : &map);
     std::string out = fmt::format("{} pairs recorded as in step\n", accepted.size());
     if (!fresh.empty()) out += fmt::format("{} of them written into portmap.toml\n", fresh.size());
     if (noted > 0) out += fmt::format("{} more lines note what macros make of their words\n", noted);
@@ -204,7 +210,7 @@ Outcome run_reject(const Options& options, Workplace& place) {
         throw CannotDo(terminal_text(id.source + "=" + id.target) + ": no such pair");
     const std::string map = remove_pair(checked.project, {id.source, id.target});
     reject_pair(checked.lock, *pair, checked.project.map);
-    store(checked, place.disk, &map);
+    store(checked, place, &map);
     return {"no longer a pair: " + terminal_text(id.source) + " = " + terminal_text(id.target) + "\n", 0, false,
             kLockIsWritten};
 }

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/judge/check_project.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "porttool/judge/base_lock.h"
 #include "porttool/judge/brought_in.h"
 #include "porttool/judge/evidence.h"
@@ -64,6 +67,28 @@ bool has_same_sides(const MapFile& a, const MapFile& b) {
     return a.source == b.source && a.target == b.target && a.target_root == b.target_root;
 }
 
+/// True for the texts of a lock of an older normal form: they are in memory.
+bool is_upgraded(const std::map<Print, UnitText>& texts) { return !texts.empty(); }
+
+/// Tells the texts that the lock of a change needs and cannot use, and lists those that its merge base still had.
+void tell_lost_texts(const CheckedProject& checked, const RecordedLock& now, Snapshot& base, Workplace& place,
+                     std::vector<BroughtIn>& brought) {
+    if (now.lock.version == 1 || is_upgraded(now.texts)) return;
+    const LostTexts lost = lost_texts(checked.project, checked.disk(), now.lock);
+    if (lost.missing.empty() && lost.damaged.empty()) return;
+    place.err << told(lost);
+    read_base_texts(base);
+    for (const LockedPair& pair : now.lock.pairs)
+        for (const auto& [id, print] : {std::pair(&pair.source, pair.source_prints.written),
+                                        std::pair(&pair.target, pair.target_prints.written)}) {
+            const bool is_damaged = lost.damaged.contains(print);
+            if ((is_damaged || lost.missing.contains(print)) && !base_text(base.project, base.git, print).empty())
+                brought.push_back({GatePart::Accept, "portmap.lock", std::max(1, pair.line),
+                                   "portmap.base/" + print.text() + ", the text of " + *id + " when last in step, " +
+                                       (is_damaged ? "is not what its name says" : "is gone")});
+        }
+}
+
 /// Takes the state at the merge base for what was in step. Returns what the change itself does to the gate.
 std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckChoice& choice, const MapFile& map_today,
                                          Workplace& place, FactsStore* kept) {
@@ -80,6 +105,7 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
     const GateState before{then.has_map, then.map, then.has_lock, then.lock.lock, known};
     const GateState today{true, map_today, checked.recorded, now.lock, checked.suppressions};
     std::vector<BroughtIn> brought = brought_in(before, today, checked.project.map_name);
+    tell_lost_texts(checked, now, base, place, brought);
     if (choice.trusted_map) checked.suppressions = known_before(checked.suppressions, known);
     checked.lock = std::move(in_step.lock);
     checked.texts = std::move(in_step.texts);
@@ -131,14 +157,8 @@ void judge_with_evidence(CheckedProject& checked, const std::vector<std::string>
 
 /// Without them the gate still tells that a text was edited, not how, and takes no two edits for the same.
 void note_missing_texts(const CheckedProject& checked, Workplace& place) {
-    const LockFile& lock = checked.lock;
-    const bool upgraded = !checked.texts.empty();  // from an older normal form: its texts are in memory
-    const size_t missing = lock.version == 1 || upgraded ? 0 : missing_texts(checked.project, checked.disk(), lock);
-    if (missing > 0)
-        place.err
-            << "warning: " << missing
-            << " texts are missing in portmap.base/; restore it from git, or, while their pairs are in step, run: "
-               "porttool accept --all\n";
+    if (checked.lock.version != 1 && !is_upgraded(checked.texts))
+        place.err << told(missing_texts(checked.project, checked.disk(), checked.lock));
 }
 
 /// A unit that was followed to where its text stands now is watched there, and no longer where it was.

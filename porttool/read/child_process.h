@@ -11,7 +11,7 @@ namespace porttool {
 /// `status`: of waitpid().
 int exit_code_of(int status);
 
-/// Hands on what can be read of a pipe without waiting; false at its end.
+/// Hands on what can be read of a pipe without waiting, a MiB at most; false at its end.
 bool take_available(int pipe, const std::function<void(std::string_view)>& take);
 
 }  // namespace porttool

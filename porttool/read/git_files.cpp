@@ -218,7 +218,10 @@ std::vector<std::string> other_meanings(git_repository* repository, const std::s
         if (git_reference_lookup(&reference, repository, (in + name).c_str()) != 0) continue;
         const std::unique_ptr<git_reference, decltype(&git_reference_free)> owner(reference, git_reference_free);
         git_object* commit = nullptr;
-        if (git_reference_peel(&commit, reference, GIT_OBJECT_COMMIT) != 0) continue;
+        if (git_reference_peel(&commit, reference, GIT_OBJECT_COMMIT) != 0) {
+            tell_refused_object();
+            continue;
+        }
         const Object object(commit);
         found.push_back(in + name);
         commits.insert(git_oid_tostr_s(git_object_id(commit)));
@@ -237,7 +240,10 @@ bool is_reached(git_repository* repository, const git_oid& wanted, const git_oid
         open.pop_back();
         if (git_oid_equal(&at, &wanted) != 0) return true;
         git_commit* commit = nullptr;
-        if (git_commit_lookup(&commit, repository, &at) != 0) continue;
+        if (git_commit_lookup(&commit, repository, &at) != 0) {
+            tell_refused_object();
+            continue;
+        }
         const std::unique_ptr<git_commit, decltype(&git_commit_free)> owner(commit, git_commit_free);
         for (unsigned k = 0; k < git_commit_parentcount(commit); ++k)
             if (seen.insert(*git_commit_parent_id(commit, k)).second) open.push_back(*git_commit_parent_id(commit, k));
@@ -262,7 +268,9 @@ GitFiles GitRepository::files_at_base(const std::string& revision, const WantsFi
                 "--base " + terminal_text(revision) + ": " + terminal_text(fmt::format("{}", fmt::join(all, " and "))) +
                     " are several commits\nWrite out the one that is meant"};
     git_object* found = nullptr;
-    if (git_revparse_single(&found, repository, (revision + "^{commit}").c_str()) != 0)
+    const bool is_there = git_revparse_single(&found, repository, (revision + "^{commit}").c_str()) == 0;
+    tell_refused_object();
+    if (!is_there)
         return {{},
                 {},
                 {},
@@ -271,13 +279,15 @@ GitFiles GitRepository::files_at_base(const std::string& revision, const WantsFi
     const Object base(found);
     if (is_shallow() && is_reached(repository, *git_object_id(base.get()), head))
         merge_base = *git_object_id(base.get());
-    else if (git_merge_base(&merge_base, repository, git_object_id(base.get()), &head) != 0)
+    else if (git_merge_base(&merge_base, repository, git_object_id(base.get()), &head) != 0) {
+        tell_refused_object();
         return {{},
                 {},
                 {},
                 "--base " + terminal_text(revision) +
                     ": no common ancestor with HEAD is here, as in a shallow clone\nFetch the history: git fetch "
                     "--unshallow (in CI: fetch-depth: 0)"};
+    }
     EntryCount entries(kMergeBase);
     uint64_t bytes = 0;
     read_tree({out, repository, folder(), "", wants, folders, entries, bytes}, merge_base);

@@ -105,7 +105,10 @@ private:
 GitEntryAt entries_of_tree(const git_tree* tree) {
     return [tree](const std::string& path) {
         git_tree_entry* entry = nullptr;
-        if (git_tree_entry_bypath(&entry, tree, path.c_str()) != 0) return GitEntry{};
+        if (git_tree_entry_bypath(&entry, tree, path.c_str()) != 0) {
+            tell_refused_object();
+            return GitEntry{};
+        }
         const GitOwned<git_tree_entry, git_tree_entry_free> owner(entry);
         return GitEntry{kind_of(git_tree_entry_filemode(entry)), *git_tree_entry_id(entry)};
     };

@@ -3,13 +3,17 @@
 #include "porttool/read/git_open.h"
 
 #include <fmt/format.h>
+#include <git2/sys/alloc.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iterator>
+#include <mutex>
 #include <new>
 #include <string_view>
+#include <utility>
 
 #include "porttool/read/cannot_do.h"
 #include "porttool/text/sink/shell.h"
@@ -19,9 +23,61 @@ namespace porttool {
 
 namespace {
 
+/// The most that libgit2 gets at once: more than the index of the most files that are read. A commit, a folder or what
+/// a small object is kept as a difference to may otherwise be gigabytes, out of a few kilobytes of a pack; libgit2
+/// reads all of these by itself, and whole.
+constexpr size_t kMostAtOnce = size_t{256} << 20;
+thread_local size_t refused_bytes = 0;
+
+bool is_refused(size_t bytes) {
+    if (bytes <= kMostAtOnce) return false;
+    refused_bytes = bytes;
+    return true;
+}
+
+bool is_refused(size_t count, size_t each) {
+    size_t bytes = 0;
+    return is_refused(__builtin_mul_overflow(count, each, &bytes) ? SIZE_MAX : bytes);
+}
+
+/// That of the C library, within that bound.
+git_allocator bounded_allocator() {
+    git_allocator out{};
+    out.gmalloc = [](size_t size, const char*, int) { return is_refused(size) ? nullptr : std::malloc(size); };
+    out.gcalloc = [](size_t count, size_t each, const char*, int) {
+        return is_refused(count, each) ? nullptr : std::calloc(count, each);
+    };
+    out.gstrdup = [](const char* text, const char*, int) {
+        return is_refused(std::strlen(text)) ? nullptr : ::strdup(text);
+    };
+    out.gstrndup = [](const char* text, size_t most, const char*, int) {
+        return is_refused(::strnlen(text, most)) ? nullptr : ::strndup(text, most);
+    };
+    out.gsubstrdup = [](const char* text, size_t size, const char*, int) {
+        char* copy = is_refused(size) ? nullptr : static_cast<char*>(std::malloc(size + 1));
+        if (copy != nullptr) {
+            std::memcpy(copy, text, size);
+            copy[size] = '\0';
+        }
+        return copy;
+    };
+    out.grealloc = [](void* from, size_t size, const char*, int) {
+        return is_refused(size) ? nullptr : std::realloc(from, size);
+    };
+    out.greallocarray = [](void* from, size_t count, size_t each, const char*, int) {
+        return is_refused(count, each) ? nullptr : std::realloc(from, count * each);
+    };
+    out.gmallocarray = [](size_t count, size_t each, const char*, int) {
+        return is_refused(count, each) ? nullptr : std::malloc(count * each);
+    };
+    out.gfree = [](void* memory) { std::free(memory); };
+    return out;
+}
+
 /// What libgit2 could not do for lack of memory is no fault of the repository: throws std::bad_alloc, as our own code
 /// does.
 void tell_lack_of_memory() {
+    tell_refused_object();
     const git_error* error = git_error_last();
     if (error == nullptr) return;
     const std::string_view message = error->message != nullptr ? error->message : "";
@@ -30,6 +86,15 @@ void tell_lack_of_memory() {
 }
 
 }  // namespace
+
+void tell_refused_object() {
+    if (const size_t bytes = std::exchange(refused_bytes, 0); bytes != 0)
+        throw CannotDo(
+            fmt::format("git has a commit or folder of {} MiB here, or a file that is kept as a difference to so large "
+                        "a one; more than {} are not read\nFind it with: git cat-file --batch-all-objects "
+                        "--batch-check; and leave it out, with another --since, --from, --to or --base",
+                        bytes >> 20, kMostAtOnce >> 20));
+}
 
 std::string git_last_error() {
     tell_lack_of_memory();
@@ -98,6 +163,11 @@ git_repository* open_work_tree(const std::string& git_entry) {
 
 OpenedGit open_git(const std::string& root, const std::string& remedy) {
     git_libgit2_init();
+    static std::once_flag bounded;
+    std::call_once(bounded, [] {
+        static git_allocator allocator = bounded_allocator();
+        git_libgit2_opts(GIT_OPT_SET_ALLOCATOR, &allocator);
+    });
     // Objects are only read: that the work tree belongs to another user (as in CI containers) does no harm. Nor do
     // extensions about how a work tree is written (`git sparse-checkout` sets one), or how objects are kept and
     // fetched: one that a partial clone lacks cannot be read, and is told.

@@ -22,7 +22,11 @@ struct GitFreed {
 template <class T, void (*Free)(T*)>
 using GitOwned = std::unique_ptr<T, GitFreed<T, Free>>;
 
-/// What libgit2 says of its last failure. Throws std::bad_alloc where that was a lack of memory.
+/// Throws CannotDo where libgit2 failed in this thread since it asked for more memory than any object that is read may
+/// have. For whoever takes a failure for an answer: what is too large is here.
+void tell_refused_object();
+
+/// What libgit2 says of its last failure. Throws std::bad_alloc where that was a lack of memory, and as above.
 std::string git_last_error();
 
 /// A repository with its work tree's path to the root in question.

@@ -3,6 +3,7 @@
 #include "porttool/read/git_repository.h"
 
 #include <algorithm>
+#include <cstring>
 #include <queue>
 #include <unordered_map>
 
@@ -21,35 +22,43 @@ std::string text_of(const git_oid& id) {
     return text;
 }
 
+/// The beginning of what a commit says, whose author may have said megabytes.
+std::string beginning_of(const char* message) {
+    constexpr size_t kLongest = 4096;
+    return message == nullptr ? std::string() : std::string(message, ::strnlen(message, kLongest));
+}
+
 Commit lookup(git_repository* repository, const std::string& text) {
     const auto id = git_oid_of(text);
     git_commit* commit = nullptr;
-    if (!id || git_commit_lookup(&commit, repository, &*id) != 0) return nullptr;
+    if (id && git_commit_lookup(&commit, repository, &*id) != 0) tell_refused_object();
     return Commit(commit);
 }
 
 Tree tree_of(git_repository* repository, const std::string& commit_id) {
     const Commit commit = lookup(repository, commit_id);
     git_tree* tree = nullptr;
-    if (!commit || git_commit_tree(&tree, commit.get()) != 0) return nullptr;
+    if (commit && git_commit_tree(&tree, commit.get()) != 0) tell_refused_object();
     return Tree(tree);
 }
 
 GitCommit described(git_commit* commit) {
-    const char* summary = git_commit_summary(commit);
-    return {text_of(*git_commit_id(commit)), git_commit_time(commit), summary != nullptr ? summary : ""};
+    return {text_of(*git_commit_id(commit)), git_commit_time(commit), beginning_of(git_commit_summary(commit))};
 }
 
 Tree tree_at(git_repository* repository, const git_oid& id) {
     git_tree* tree = nullptr;
-    return git_tree_lookup(&tree, repository, &id) == 0 ? Tree(tree) : nullptr;
+    if (git_tree_lookup(&tree, repository, &id) != 0) tell_refused_object();
+    return Tree(tree);
 }
 
 /// The tree of a folder ("sub/folder/") within another; nothing where it has none.
 Tree folder_of(git_repository* repository, const git_tree* tree, const std::string& folder) {
     git_tree_entry* entry = nullptr;
-    if (tree == nullptr || git_tree_entry_bypath(&entry, tree, folder.substr(0, folder.size() - 1).c_str()) != 0)
+    if (tree == nullptr || git_tree_entry_bypath(&entry, tree, folder.substr(0, folder.size() - 1).c_str()) != 0) {
+        tell_refused_object();
         return nullptr;
+    }
     const GitOwned<git_tree_entry, git_tree_entry_free> owner(entry);
     return git_tree_entry_type(entry) == GIT_OBJECT_TREE ? tree_at(repository, *git_tree_entry_id(entry)) : nullptr;
 }
@@ -163,14 +172,18 @@ std::string GitRepository::work_tree() const {
 bool GitRepository::is_as_committed(const std::string& path) const {
     unsigned flags = 0;
     const std::string within = handle_->opened.prefix + path;
-    return git_status_file(&flags, handle_->repository(), within.c_str()) == 0 && flags == GIT_STATUS_CURRENT;
+    const bool is_known = git_status_file(&flags, handle_->repository(), within.c_str()) == 0;
+    tell_refused_object();
+    return is_known && flags == GIT_STATUS_CURRENT;
 }
 
 const std::string& GitRepository::folder() const { return handle_->opened.prefix; }
 
 std::optional<GitCommit> GitRepository::commit(const std::string& revision) const {
     git_object* found = nullptr;
-    if (git_revparse_single(&found, handle_->repository(), (revision + "^{commit}").c_str()) != 0) return std::nullopt;
+    const bool is_there = git_revparse_single(&found, handle_->repository(), (revision + "^{commit}").c_str()) == 0;
+    tell_refused_object();
+    if (!is_there) return std::nullopt;
     const Object owner(found);
     const Commit commit = lookup(handle_->repository(), text_of(*git_object_id(found)));
     if (!commit) return std::nullopt;
@@ -180,13 +193,16 @@ std::optional<GitCommit> GitRepository::commit(const std::string& revision) cons
 bool GitRepository::is_ancestor(const std::string& older, const std::string& newer) const {
     const auto old_id = git_oid_of(older), new_id = git_oid_of(newer);
     if (!old_id || !new_id) return false;
-    return older == newer || git_graph_descendant_of(handle_->repository(), &*new_id, &*old_id) == 1;
+    const bool is_older = older == newer || git_graph_descendant_of(handle_->repository(), &*new_id, &*old_id) == 1;
+    tell_refused_object();
+    return is_older;
 }
 
 size_t GitRepository::commits_between(const std::string& older, const std::string& newer) const {
     const auto old_id = git_oid_of(older), new_id = git_oid_of(newer);
     size_t ahead = 0, behind = 0;
     if (old_id && new_id) git_graph_ahead_behind(&ahead, &behind, handle_->repository(), &*new_id, &*old_id);
+    tell_refused_object();
     return ahead;
 }
 
@@ -198,6 +214,7 @@ GitChain GitRepository::first_parents(const std::string& newest) const {
         if (git_commit_parentcount(commit.get()) == 0) break;
         git_commit* parent = nullptr;
         chain.cut = git_commit_parent(&parent, commit.get(), 0) != 0;
+        tell_refused_object();
         commit.reset(parent);
     }
     std::reverse(chain.commits.begin(), chain.commits.end());
@@ -205,7 +222,6 @@ GitChain GitRepository::first_parents(const std::string& newest) const {
 }
 
 GitSteps GitRepository::steps(const std::string& newest, const std::string& hidden) const {
-    constexpr size_t kLongestMessage = 4096;
     git_repository* repository = handle_->repository();
     std::set<std::string> seen = ancestors_of(repository, hidden);
     std::unordered_map<std::string, size_t> children;  // that are not given out yet
@@ -222,9 +238,8 @@ GitSteps GitRepository::steps(const std::string& newest, const std::string& hidd
             continue;
         }
         Waiting one;
-        const char* message = git_commit_message(commit.get());
-        one.step = {described(commit.get()), std::string(message == nullptr ? "" : message).substr(0, kLongestMessage),
-                    "", git_commit_parentcount(commit.get())};
+        one.step = {described(commit.get()), beginning_of(git_commit_message(commit.get())), "",
+                    git_commit_parentcount(commit.get())};
         for (unsigned i = 0; i < one.step.parents; ++i) {
             one.parents.push_back(text_of(*git_commit_parent_id(commit.get(), i)));
             ++children[one.parents.back()];

@@ -15,12 +15,12 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "porttool/read/source_files.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -183,18 +183,27 @@ void restore(const Staged& file) {
         (void)::unlinkat(at.folder.get(), at.name.c_str(), 0);
 }
 
+/// Keeps what a file holds, to be put back. Returns why that cannot be, or "".
+std::string take_before(const FolderBeneath& at, Staged& file) {
+    file.before = RealDisk().read(file.place, kLargestFile);
+    struct stat status {};
+    const bool is_file =
+        ::fstatat(at.folder.get(), at.name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(status.st_mode);
+    return is_file ? file.before.error : std::string();
+}
+
 /// Writes the temporary of each; on a failure none is left.
 std::string stage_all(const std::vector<FileToWrite>& files, std::vector<Staged>& staged) {
     for (const FileToWrite& file : files) {
         const FolderBeneath at = folder_to_write(file.place);
         Staged one{file.place, temporary_name(at.name), {}};
-        const std::string reason =
-            at.error.empty() ? stage_in(at.folder.get(), at.name, one.temporary, file.bytes) : at.error;
+        std::string reason = at.error;
+        if (reason.empty()) reason = take_before(at, one);
+        if (reason.empty()) reason = stage_in(at.folder.get(), at.name, one.temporary, file.bytes);
         if (!reason.empty()) {
             for (const Staged& other : staged) drop_temporary(other);
             return refused(file.place, reason);
         }
-        one.before = RealDisk().read(file.place, std::numeric_limits<uint64_t>::max());
         staged.push_back(std::move(one));
     }
     return {};

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/snapshot/lock_store.h"
 
+#include <fmt/format.h>
+
+#include <cerrno>
 #include <optional>
 #include <set>
-#include <unordered_set>
 #include <vector>
 
 #include "porttool/read/lock_upgrade.h"
+#include "porttool/read/refusals.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -66,6 +69,8 @@ std::string lock_path(const Project& project) { return folder_of_map(project) + 
 
 RecordedLock load_lock(const Project& project, const Disk& disk, const States& today) {
     FileText file = disk.read(beside_map(project, "portmap.lock"), kLargestFile);
+    if (file.error == cannot_be_read(EACCES))
+        throw CannotDo(terminal_text(lock_path(project)) + " " + file.error + "; make it readable: chmod u+r");
     if (!file.error.empty() && disk.kind(beside_map(project, "portmap.lock")) != FileKind::None)
         throw CannotDo(terminal_text(lock_path(project)) + " " + file.error +
                        "; restore it from git, or remove it and run: porttool init");
@@ -122,14 +127,32 @@ void store_lock(const Project& project, const NewRecord& record, Disk& disk) {
             disk.remove(base_file(project, print));
 }
 
-size_t missing_texts(const Project& project, const Disk& disk, const LockFile& lock) {
-    std::unordered_set<Print> missing;
-    for (const LockedPair& pair : lock.pairs) {
-        missing.insert(pair.source_prints.written);
-        missing.insert(pair.target_prints.written);
-    }
-    for (const DirectoryEntry& entry : disk.list(base_folder(project)).entries) missing.erase(Print::read(entry.name));
-    return missing.size();
+LostTexts missing_texts(const Project& project, const Disk& disk, const LockFile& lock) {
+    LostTexts out{prints_of(lock), {}};
+    out.missing.erase(Print());
+    for (const DirectoryEntry& entry : disk.list(base_folder(project)).entries)
+        out.missing.erase(Print::read(entry.name));
+    return out;
+}
+
+LostTexts lost_texts(const Project& project, const Disk& disk, const LockFile& lock) {
+    LostTexts out = missing_texts(project, disk, lock);
+    for (const Print print : prints_of(lock))
+        if (print.is_known() && !out.missing.contains(print) && base_text(project, disk, print).empty())
+            out.damaged.insert(print);
+    return out;
+}
+
+std::string told(const LostTexts& lost) {
+    if (lost.missing.empty() && lost.damaged.empty()) return {};
+    std::string out = "warning: ";
+    if (!lost.missing.empty())
+        out += fmt::format("{} texts are missing in portmap.base/{}", lost.missing.size(),
+                           lost.damaged.empty() ? "" : ", ");
+    if (!lost.damaged.empty())
+        out += fmt::format("{} texts in portmap.base/ are not what their names say (the first is {})",
+                           lost.damaged.size(), lost.damaged.begin()->text());
+    return out + "; restore them from git, or, while their pairs are in step, run: porttool accept --all\n";
 }
 
 NormalText base_text(const Project& project, const Disk& disk, Print print) {

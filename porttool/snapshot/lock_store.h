@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "porttool/read/lock_file.h"
@@ -44,8 +45,20 @@ struct NewRecord {
 /// word. Other files in that folder are never removed. What fails leaves all as it was. Throws CannotDo.
 void store_lock(const Project& project, const NewRecord& record, Disk& disk);
 
-/// How many of the texts behind a lock are not there.
-size_t missing_texts(const Project& project, const Disk& disk, const LockFile& lock);
+/// Texts behind a lock that cannot be used.
+struct LostTexts {
+    std::set<Print> missing;  ///< from portmap.base/
+    std::set<Print> damaged;  ///< there, but not what their names say: cut, edited, a link
+};
+
+/// Which texts of portmap.base/ are missing. Lists the folder, and reads none.
+LostTexts missing_texts(const Project& project, const Disk& disk, const LockFile& lock);
+
+/// Which are missing or damaged. Reads them all, some 6 microseconds each.
+LostTexts lost_texts(const Project& project, const Disk& disk, const LockFile& lock);
+
+/// What to say of them: a line, or "" for none.
+std::string told(const LostTexts& lost);
 
 /// A text from portmap.base/; empty if it is not there, or is not the one that its name says.
 NormalText base_text(const Project& project, const Disk& disk, Print print);

@@ -95,10 +95,26 @@ TEST(Command, AnUnknownOptionIsToldWithTheNearestOfItsCommand) {
         EXPECT_EQ(got.exit_code, 2);
         EXPECT_EQ(got.out, "");
         if (near.empty())
-            EXPECT_EQ(got.err.find("did you mean"), std::string::npos) << got.err;
+            EXPECT_NE(got.err.find(arguments[1] + "; map has --source, --target, --write\n"), std::string::npos)
+                << got.err;
         else
             EXPECT_NE(got.err.find(arguments[1] + "; did you mean '" + near + "'?\n"), std::string::npos) << got.err;
     }
+}
+
+TEST(Command, AnOptionWithoutACommandIsTold) {
+    MemoryDisk disk;
+    const CommandRun got = run(disk, {"--nope"});
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_TRUE(got.err.starts_with("porttool: no command given beside --nope\n")) << got.err;
+}
+
+TEST(Command, AcceptTakesIdsOrAll) {
+    MemoryDisk disk;
+    EXPECT_EQ(run(disk, {"accept", "--all", "s/a.cu:f"}).err,
+              "porttool: accept takes ids or --all, not both: leave out --all to accept s/a.cu:f alone\n");
+    EXPECT_EQ(run(disk, {"accept"}).err,
+              "porttool: accept needs ids, or --all for every pair whose two edits are equivalent\n");
 }
 
 TEST(Command, EveryReferenceIsTakenWithoutAWord) {

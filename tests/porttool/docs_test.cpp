@@ -10,11 +10,16 @@
 namespace porttool::testing::docs_test {
 namespace {
 
+std::string page() { return read_text(std::filesystem::path(REPOSITORY) / "docs/porttool.md"); }
+
+/// The first block of a language behind a mark.
+std::string block_behind(const std::string& text, const std::string& mark, const std::string& language) {
+    const size_t first = text.find('\n', text.find("```" + language + "\n", text.find(mark))) + 1;
+    return text.substr(first, text.find("```", first) - first);
+}
+
 std::vector<std::string> tested_lines() {
-    const std::string text = read_text(std::filesystem::path(REPOSITORY) / "docs/porttool.md");
-    const size_t mark = text.find("<!-- tested: first steps -->");
-    const size_t first = text.find('\n', text.find("```sh", mark)) + 1;
-    std::istringstream block(text.substr(first, text.find("```", first) - first));
+    std::istringstream block(block_behind(page(), "<!-- tested: first steps -->", "sh"));
     std::vector<std::string> lines;
     for (std::string line; std::getline(block, line);) lines.push_back(line);
     return lines;
@@ -28,10 +33,8 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
 TEST(Docs, TheFirstStepsWorkAsWritten) {
     const auto home = std::filesystem::temp_directory_path() / "porttool_docs_test";
     std::filesystem::remove_all(home);
-    write_text(home / "my-repository/cuda/shade.cu",
-               "__device__ float3 shade(float3 albedo, float cosine) {\n    return albedo * cosine * 0.5f;\n}\n");
-    write_text(home / "my-repository/glsl/shade.glsl",
-               "vec3 shade(vec3 albedo, float cosine) {\n    return albedo * cosine * 0.5;\n}\n");
+    write_text(home / "my-repository/cuda/shade.cu", block_behind(page(), "`cuda/shade.cu`, the source:", "cuda"));
+    write_text(home / "my-repository/glsl/shade.glsl", block_behind(page(), "`glsl/shade.glsl`, its port:", "glsl"));
     std::filesystem::path folder = home;
     const auto lines = tested_lines();
     ASSERT_EQ(lines.size(), 10u);

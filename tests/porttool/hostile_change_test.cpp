@@ -548,6 +548,77 @@ TEST_F(HostileChange, ATextThatAnotherBranchCameToNeedIsNotMergedAway) {
     EXPECT_NE(lost.err.find("texts are missing in portmap.base/"), std::string::npos) << lost.err;
 }
 
+// A text that is cut is found by the change that cuts it, and not by whoever edits the pair a year later.
+TEST_F(HostileChange, TextsThatAChangeCutsOrRemovesAreTold) {
+    git("checkout -q -b feature");
+    const LockFile lock = read_lock(read_text(root / "portmap.lock")).lock;
+    ASSERT_EQ(lock.pairs.size(), 2u);
+    ASSERT_EQ(lock.pairs[0].source, "src/k.cu:g");
+    const auto place = [](Print print) { return "portmap.base/" + print.text(); };
+    const std::string cut = place(lock.pairs[0].source_prints.written),
+                      gone = place(lock.pairs[1].target_prints.written);
+    const std::string whole = read_text(root / cut);
+    const auto brought = [&] {
+        const CommandRun got = porttool({"check", "--base", "main", "--format", "json"});
+        EXPECT_EQ(got.exit_code, 0) << got.err;
+        return std::pair(nlohmann::json::parse(got.out)["brought_in"], got.err);
+    };
+    EXPECT_EQ(brought(), std::pair(nlohmann::json::array(), std::string()));
+    write(cut, whole.substr(0, whole.size() / 2));
+    fs::remove(root / gone);
+    write("portmap.base/0123456789abcdef", "no line of the lock needs this\n");
+    const auto [rows, said] = brought();
+    EXPECT_EQ(said,
+              "warning: 1 texts are missing in portmap.base/, 1 texts in portmap.base/ are not what their names "
+              "say (the first is " +
+                  cut.substr(13) +
+                  "); restore them from git, or, while their pairs are in "
+                  "step, run: porttool accept --all\n");
+    ASSERT_EQ(rows.size(), 2u) << rows;
+    for (const auto& row : rows) {
+        EXPECT_EQ(row["kind"], "accept");
+        EXPECT_EQ(row["file"], "portmap.lock");
+    }
+    EXPECT_EQ(rows[0]["text"],
+              cut + ", the text of " + lock.pairs[0].source + " when last in step, is not what its name says");
+    EXPECT_EQ(rows[1]["text"], gone + ", the text of " + lock.pairs[1].target + " when last in step, is gone");
+    // The ends of lines of another system are no damage.
+    write(cut, whole);
+    write(gone, "");
+    ASSERT_EQ(porttool({"accept", "--all"}).err, "");
+    std::string with_returns;
+    for (const char c : whole) with_returns += c == '\n' ? "\r\n" : std::string(1, c);
+    write(cut, with_returns);
+    EXPECT_EQ(brought(), std::pair(nlohmann::json::array(), std::string()));
+    // What was cut before is told, and is not of this change.
+    write(cut, "");
+    git("add -A");
+    commit("cut", 2);
+    git("branch -f main");
+    write("src/k.cu", replaced(kSource, "3.0f", "3.5f"));
+    const CommandRun later = porttool({"check", "--base", "main", "--format", "json"});
+    EXPECT_NE(later.err.find("1 texts in portmap.base/ are not what"), std::string::npos) << later.err;
+    EXPECT_EQ(nlohmann::json::parse(later.out)["brought_in"], nlohmann::json::array());
+    // Who writes the lock writes anew what is known; the rest is told.
+    const CommandRun other = porttool({"accept", "src/k.cu:f"});
+    EXPECT_NE(other.err.find("(the first is " + cut.substr(13) + ")"), std::string::npos) << other.err;
+    write("src/k.cu", kSource);
+    EXPECT_EQ(porttool({"accept", "src/k.cu:f"}).err, "");
+    EXPECT_EQ(read_text(root / cut), whole);
+}
+
+// What cannot be put back is not replaced.
+TEST_F(HostileChange, ALockOfGigabytesIsNotReadByWhoReplacesIt) {
+    const std::string before = read_text(root / "portmap.toml");
+    fs::resize_file(root / "portmap.lock", uint64_t{40} << 30);
+    const CommandRun got = porttool({"init", "--force"});
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_NE(got.err.find("portmap.lock: is 40960 MiB"), std::string::npos) << got.err;
+    EXPECT_EQ(read_text(root / "portmap.toml"), before);
+    fs::remove(root / "portmap.lock");
+    EXPECT_EQ(porttool({"init", "--force"}).exit_code, 0);
+}
+
 TEST_F(HostileChange, AWordOfTrustInTheLockIsListed) {
     git("checkout -q -b feature");
     const std::string lock = read_text(root / "portmap.lock");

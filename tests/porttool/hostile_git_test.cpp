@@ -92,6 +92,58 @@ TEST_F(HostileGit, ASubmoduleOfAnotherRepositoryWasThereBefore) {
     EXPECT_EQ(exit_codes(kGates), kDrift);
 }
 
+/// What zlib reads back as `bytes`: at most 64 KiB, not compressed.
+std::string stored(const std::string& bytes) {
+    uint32_t a = 1, b = 0;
+    for (const unsigned char byte : bytes) a = (a + byte) % 65521, b = (b + a) % 65521;
+    const auto low_first = [](size_t number) {
+        return std::string{static_cast<char>(number & 0xFF), static_cast<char>(number >> 8)};
+    };
+    std::string out = "\x78\x01\x01" + low_first(bytes.size()) + low_first(~bytes.size() & 0xFFFF) + bytes;
+    for (const uint32_t half : {b, a}) out += {static_cast<char>(half >> 8), static_cast<char>(half & 0xFF)};
+    return out;
+}
+
+// A megabyte of a pack can stand for a commit or a folder of gigabytes, which git reads as a whole. Here one that only
+// says that it is so large.
+TEST_F(HostileGit, ACommitOrFolderOfHundredsOfMebibytesEndsInALine) {
+    start();
+    const std::string id(40, 'b');
+    fs::create_directories(root / ".git/objects/bb");
+    const auto make = [&](const std::string& kind) {
+        std::ofstream(root / ".git/objects/bb" / id.substr(2), std::ios::binary)
+            << stored(kind + " 999000000" + std::string(1, '\0') + "tree ");
+    };
+    const auto expect_told = [&](const std::vector<std::vector<std::string>>& commands) {
+        for (const auto& command : commands) {
+            const CommandRun got = porttool(command);
+            EXPECT_EQ(got.exit_code, 2) << command[0];
+            EXPECT_EQ(got.out, "") << command[0];
+            EXPECT_NE(got.err.find("952 MiB"), std::string::npos) << command[0] << ": " << got.err;
+            EXPECT_NE(got.err.find("git cat-file"), std::string::npos) << command[0] << ": " << got.err;
+        }
+        EXPECT_EQ(exit_codes({{"check"}, {"check", "--staged"}, {"report", "--format", "json"}}),
+                  (std::vector<int>{0, 0, 0}));
+    };
+    make("commit");
+    git("update-ref HEAD $(git commit-tree HEAD^{tree} -p " + id + " -m after)");
+    expect_told({{"history"},
+                 {"audit"},
+                 {"effort", "--from", "HEAD~1", "--to", "HEAD"},
+                 {"check", "--base", "HEAD~1"},
+                 {"check", "--base", "main"},
+                 {"report", "--base", "main"},
+                 {"sync", "--all", "--base", "main"}});
+    git("update-ref HEAD main");
+    make("tree");
+    git("update-ref HEAD $(git commit-tree $(git ls-tree HEAD | sed 's/tree [0-9a-f]*/tree " + id +
+        "/' | git mktree --missing) -p HEAD -m before)");
+    git("update-ref HEAD $(git commit-tree main^{tree} -p HEAD -m after)");
+    expect_told(
+        {{"history"}, {"audit"}, {"effort", "--from", "HEAD~1", "--to", "HEAD"}, {"check", "--base", "HEAD~1"}});
+    EXPECT_EQ(porttool({"check", "--base", "main"}).exit_code, 0);
+}
+
 TEST_F(HostileGit, WithoutALockWhatIsNotKnownOfTheBaseIsAnError) {
     make_submodule("src");
     start_without_lock();

@@ -121,6 +121,27 @@ TEST_F(Output, AMissingFolderIsNamedNotMade) {
     EXPECT_FALSE(std::filesystem::exists(root / "nope"));
 }
 
+TEST_F(Output, WhatCannotBeWrittenToIsToldWithWhatHelps) {
+    write("k.cu", "__device__ float f(float a) { return a; }\n");
+    std::filesystem::create_directory(root / "folder");
+    ASSERT_EQ(::mkfifo((root / "pipe").c_str(), 0600), 0);
+    std::vector<std::pair<std::string, std::string>> sinks = {
+        {"folder", "-o folder is a folder; name a file in it"},
+        {"folder/", "-o folder/ is a folder; name a file in it"},
+        {".", "-o . is a folder; name a file in it"},
+        {"nope/x", "-o nope/x: there is no folder " + (root / "nope").string() + "; make it first"},
+        {"k.cu/x", "-o k.cu/x: there is no folder " + (root / "k.cu").string() + "; make it first"},
+        {"pipe", "-o pipe: is a pipe that nobody reads; name another file"}};
+    if (std::filesystem::is_character_file("/dev/full"))
+        sinks.emplace_back("/dev/full", "-o /dev/full: cannot be written: No space left on device; name another file");
+    for (const auto& [sink, said] : sinks) {
+        const CommandRun got = porttool({"scan", "k.cu", "-o", sink});
+        EXPECT_EQ(got.exit_code, 2) << sink;
+        EXPECT_EQ(got.out, "") << sink;
+        EXPECT_EQ(got.err, "porttool: " + said + "\n");
+    }
+}
+
 TEST_F(Output, AFileThatIsReplacedKeepsItsPermissions) {
     write("k.cu", "__device__ float f(float a) { return a; }\n");
     write("out.txt", "earlier");

@@ -493,6 +493,17 @@ TEST_F(SyncCommand, AVerificationThatHangsIsStopped) {
     EXPECT_FALSE(std::filesystem::exists(mark)) << "what it had started has ended, too";
 }
 
+// What prints faster than it can be read must not keep the clock from being looked at; nor what has left the group.
+TEST_F(SyncCommand, AVerificationThatPrintsWithoutEndIsStopped) {
+    edit_source();
+    const auto start = std::chrono::steady_clock::now();
+    const nlohmann::json got =
+        sync({"--verify-timeout", "1", "--verify", "setsid timeout 8 yes & for i in 1 2 3 4; do yes & done; wait"}, 1);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+    EXPECT_EQ(got["verified"]["exit_code"], 124);
+    EXPECT_LE(got["verified"]["output_tail"].get<std::string>().size(), 8192u);
+}
+
 TEST_F(SyncCommand, OnlyTheCommandLineMakesTheMapsCommandRun) {
     write("portmap.toml",
           read_text(root / "portmap.toml") + "\n[sync]\nverify = \"touch '" + (root / "ran").string() + "'\"\n");
