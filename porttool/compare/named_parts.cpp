@@ -37,11 +37,12 @@ struct NamedPart {
 class PartReader {
 public:
     PartReader(const Words& text, const Dialect& dialect) : text_(text), dialect_(dialect) {
-        words_.insert(text.begin(), text.end());
-        for (size_t i = 0; i < text.size(); ++i) note_written(i);
+        for (const std::string_view word : text) ++times_[word];
+        for (size_t i = 0; i < text.size(); ++i) note_changed(i);
+        note_assigned();
         const auto body = static_cast<size_t>(std::find(text.begin(), text.end(), "{") - text.begin());
         for (size_t i = 1; i < text.size(); ++i) note_own(i);
-        for (size_t i = body; i < text.size(); ++i) note_call(i);
+        note_calls(body);
         for (size_t i = 1; i < text.size(); ++i)
             if (text[i - 1] == ";" || text[i - 1] == "{" || text[i - 1] == "}") note_declaration(i);
     }
@@ -51,9 +52,7 @@ public:
     std::vector<NamedPart> parts_beside(const PartReader& other) const {
         std::vector<NamedPart> out;
         for (const NamedPart& each : named_)
-            if (!other.words_.contains(each.name) && std::count(text_.begin(), text_.end(), each.name) > 1 &&
-                is_fixed(each))
-                out.push_back(each);
+            if (!other.times_.contains(each.name) && times_.at(each.name) > 1 && is_fixed(each)) out.push_back(each);
         return out;
     }
 
@@ -81,21 +80,37 @@ private:
 
     std::string_view word(size_t i) const { return i < text_.size() ? text_[i] : std::string_view(); }
 
-    /// Of `a [ i ] . b = ...` it is `a` and `b`, to be sure; and what a pointer or a step changes.
-    void note_written(size_t i) {
+    /// What a pointer or a step changes.
+    void note_changed(size_t i) {
         const bool takes_address = text_[i] == "&" && is_word_token(word(i + 1)) && i > 0 &&
                                    !is_word_token(text_[i - 1]) && text_[i - 1] != ")" && text_[i - 1] != "]";
         if (takes_address || text_[i] == "++" || text_[i] == "--")
             for (size_t k = i + 1; is_word_token(word(k)) || word(k) == "." || word(k) == "->"; ++k)
                 times_written_[text_[k]] += 2;
-        if (!is_assignment(text_[i]) && text_[i] != "++" && text_[i] != "--") return;
+    }
+
+    /// What stands before an assignment, in its statement and its brackets: of `a [ i ] . b = ...` it is `a` and `b`,
+    /// to be sure. From the end, once for all assignments: those further on are open, the innermost last.
+    void note_assigned() {
+        struct Open {
+            int depth, in_index;
+            size_t alike;  ///< how many of the last ones, with this, are in the same index
+        };
+        std::vector<Open> open;
         int depth = 0, in_index = 0;
-        for (size_t k = i; k-- > 0;) {
-            in_index += text_[k] == "]" ? 1 : text_[k] == "[" ? -1 : 0;
-            depth += text_[k] == ")" ? 1 : text_[k] == "(" ? -1 : 0;
-            if (depth < 0 || in_index < 0 || text_[k] == ";" || text_[k] == "{" || text_[k] == "}") return;
-            stores_elsewhere_ = stores_elsewhere_ || text_[k] == "[" || text_[k] == "->" || text_[k] == "*";
-            if (is_word_token(text_[k]) && in_index == 0) ++times_written_[text_[k]];
+        for (size_t k = text_.size(); k-- > 0;) {
+            const std::string_view here = text_[k];
+            in_index += here == "]" ? 1 : here == "[" ? -1 : 0;
+            depth += here == ")" ? 1 : here == "(" ? -1 : 0;
+            if (here == ";" || here == "{" || here == "}") open.clear();
+            while (!open.empty() && (depth < open.back().depth || in_index < open.back().in_index)) open.pop_back();
+            if (!open.empty()) {
+                stores_elsewhere_ = stores_elsewhere_ || here == "[" || here == "->" || here == "*";
+                if (is_word_token(here) && open.back().in_index == in_index) times_written_[here] += open.back().alike;
+            }
+            if (!is_assignment(here) && here != "++" && here != "--") continue;
+            const bool is_alike = !open.empty() && open.back().in_index == in_index;
+            open.push_back({depth, in_index, is_alike ? open.back().alike + 1 : 1});
         }
     }
 
@@ -105,19 +120,31 @@ private:
             own_.insert(text_[i]);
     }
 
+    bool is_unknown_call(size_t i) const {
+        return is_word_token(text_[i]) && word(i + 1) == "(" && !word_is(text_[i], kNoFunctionName) &&
+               !is_type_word(text_[i]) && !pure_call(text_[i], dialect_).is_pure;
+    }
+
     /// A call of what is not known may change what it is given, its object, and all that is not the function's own.
-    void note_call(size_t i) {
-        if (!is_word_token(text_[i]) || word(i + 1) != "(" || word_is(text_[i], kNoFunctionName) ||
-            is_type_word(text_[i]) || pure_call(text_[i], dialect_).is_pure)
-            return;
-        calls_ = true;
-        for (size_t k = i; k >= 2 && (text_[k - 1] == "." || text_[k - 1] == "->"); k -= 2)
-            times_written_[text_[k - 2]] += 2;
-        int depth = 0;
-        for (size_t k = i + 1; k < text_.size(); ++k) {
-            depth += text_[k] == "(" ? 1 : text_[k] == ")" ? -1 : 0;
-            if (depth == 0) break;
-            if (is_word_token(text_[k])) times_written_[text_[k]] += 2;
+    void note_calls(size_t body) {
+        std::vector<bool> brackets;  ///< those that are open, and whether they are of such a call
+        size_t given_to = 0;         ///< such calls
+        bool called = false;
+        for (size_t i = body; i < text_.size(); ++i) {
+            if (is_word_token(text_[i]) && given_to > 0) times_written_[text_[i]] += 2 * given_to;
+            if (text_[i] == ")" && !brackets.empty()) {
+                given_to -= brackets.back();
+                brackets.pop_back();
+            }
+            if (text_[i] == "(") {
+                brackets.push_back(called);
+                given_to += called;
+            }
+            called = is_unknown_call(i);
+            if (!called) continue;
+            calls_ = true;
+            for (size_t k = i; k >= 2 && (text_[k - 1] == "." || text_[k - 1] == "->"); k -= 2)
+                times_written_[text_[k - 2]] += 2;
         }
     }
 
@@ -129,7 +156,9 @@ private:
         if (word(first) == "static" || word(first) == "volatile") return;
         size_t end = i + 2;
         while (end < text_.size() && end < i + kLongestPart && text_[end] != ";") ++end;
-        if (word(end) == ";" && end > i + 2) named_.push_back({first, end + 1, i + 2, text_[i]});
+        if (word(end) != ";" || end == i + 2) return;
+        named_.push_back({first, end + 1, i + 2, text_[i]});
+        declared_.insert(text_[i]);
     }
 
     static bool ends_operand(std::string_view word) {
@@ -158,14 +187,11 @@ private:
             if (leads_elsewhere && (calls_ || stores_elsewhere_)) return false;
             if (!is_word_token(sign)) continue;
             if (calls_ && !is_steady(i)) return false;
-            if (word(i + 1) == "(" ? !pure_call(sign, dialect_).is_pure : is_written(sign, is_declared(sign) ? 1 : 0))
+            if (word(i + 1) == "(" ? !pure_call(sign, dialect_).is_pure
+                                   : is_written(sign, declared_.contains(sign) ? 1 : 0))
                 return false;
         }
         return true;
-    }
-
-    bool is_declared(std::string_view name) const {
-        return std::any_of(named_.begin(), named_.end(), [&](const NamedPart& each) { return each.name == name; });
     }
 
     void write(size_t i, const ByName& by_name, Words& out, int depth) const {
@@ -183,10 +209,9 @@ private:
 
     const Words& text_;
     const Dialect& dialect_;
-    std::unordered_set<std::string_view> words_;
-    std::unordered_map<std::string_view, size_t> times_written_;
+    std::unordered_map<std::string_view, size_t> times_, times_written_;
     std::vector<NamedPart> named_;
-    std::unordered_set<std::string_view> own_;
+    std::unordered_set<std::string_view> declared_, own_;
     bool calls_ = false;             ///< functions of which nothing is known
     bool stores_elsewhere_ = false;  ///< through a pointer, or into an array
 };
