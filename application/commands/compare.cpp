@@ -103,7 +103,7 @@ std::filesystem::path folder_of(const std::string& file) {
 std::vector<std::string> evidence_pictures(const Options& options) {
     std::vector<std::string> pictures;
     if (options.output.empty()) return pictures;
-    const auto folder = std::filesystem::absolute(options.evidence).lexically_normal().parent_path();
+    const std::filesystem::path folder = folder_of(options.evidence);
     const uint32_t spp = *std::max_element(options.spp.begin(), options.spp.end());
     const auto names = picture_names(spp);
     for (const std::string& file : {std::string(LOCATED_PICTURE), names[0], names[1], names[2]}) {

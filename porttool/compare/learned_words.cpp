@@ -11,7 +11,6 @@
 #include "porttool/language/words.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/normal_form.h"
-#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -37,20 +36,6 @@ std::vector<std::string> parts_of_name(std::string_view name) {
         goes_on = is_part;
     }
     return out;
-}
-
-std::string spelled_small(std::string_view word) {
-    std::string out;
-    for (const char c : word) out += small_letter(c);
-    return out;
-}
-std::string spelled_capitals(std::string_view word) {
-    std::string out;
-    for (const char c : word) out += capital_letter(c);
-    return out;
-}
-std::string spelled_first_capital(std::string_view word) {
-    return spelled_capitals(word.substr(0, 1)) + spelled_small(word.substr(1));
 }
 
 class WordLearner {
@@ -206,10 +191,11 @@ private:
         const std::vector<std::string> source = words_of(ids.source), target = words_of(ids.target);
         std::vector<std::string> lost, gained;
         const auto end_of_place = [&] {
-            for (size_t i = 0; lost.size() == gained.size() && i < lost.size(); ++i)
-                if (lost[i].size() >= kLeast && gained[i].size() >= kLeast)
-                    for (const auto spelled : {spelled_small, spelled_first_capital, spelled_capitals})
-                        parts_.emplace(spelled(lost[i]), spelled(gained[i]));
+            for (size_t i = 0; lost.size() == gained.size() && i < lost.size(); ++i) {
+                if (lost[i].size() < kLeast || gained[i].size() < kLeast) continue;
+                const std::array<std::string, 3> here = spellings(lost[i]), there = spellings(gained[i]);
+                for (size_t k = 0; k < here.size(); ++k) parts_.emplace(here[k], there[k]);
+            }
             lost.clear();
             gained.clear();
         };

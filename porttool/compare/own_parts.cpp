@@ -3,7 +3,6 @@
 #include "porttool/compare/own_parts.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <string_view>
 
@@ -54,14 +53,6 @@ void add_difference(const std::string& source, const std::string& target, OwnPar
     if (is_word(here) && is_word(there)) out.emplace_back(here, there);
 }
 
-/// A part as names have it: in small letters, with a capital, in capitals.
-std::array<std::string, 3> spellings(const std::string& part) {
-    std::string first = part, capitals = part;
-    first[0] = capital_letter(first[0]);
-    std::transform(capitals.begin(), capitals.end(), capitals.begin(), capital_letter);
-    return {part, first, capitals};
-}
-
 /// The name with another part in the place of its own.
 std::vector<std::string> with_part_there(const std::string& name, const OwnParts& parts) {
     std::vector<std::string> out;
@@ -76,6 +67,14 @@ std::vector<std::string> with_part_there(const std::string& name, const OwnParts
 }
 
 }  // namespace
+
+std::array<std::string, 3> spellings(const std::string& part) {
+    const std::string small = in_small_letters(part);
+    std::string first = small, capitals = small;
+    if (!first.empty()) first[0] = capital_letter(first[0]);
+    std::transform(capitals.begin(), capitals.end(), capitals.begin(), capital_letter);
+    return {small, first, capitals};
+}
 
 OwnParts own_parts(const BySide<std::vector<std::string>>& names) {
     OwnParts out = {{"cuda", "hip"}, {"hip", "cuda"}};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,9 @@ namespace porttool {
 /// What the names of a unit and its port have of their own, in small letters: `cuda` and `hip` of `runCudaVariant` and
 /// `runHipVariant`; of two paths, for each folder or file of one name but for that.
 using OwnParts = std::vector<std::pair<std::string, std::string>>;
+
+/// A part as names have it: in small letters, with a capital, in capitals.
+std::array<std::string, 3> spellings(const std::string& part);
 
 /// `source`, `target`: names with scopes, and paths.
 OwnParts own_parts(const BySide<std::vector<std::string>>& names);

@@ -208,8 +208,8 @@ bool MacroEdits::leads_to(const UnitState& unit, Side side, std::string_view wor
     });
 }
 
-/// True for what is a unit in a pair, or under an `[[ignore]]`; and, with a merge base, for types: NewNames tells of
-/// those.
+/// True for what lies in a unit that a pair names, which that pair tells of; and, with a merge base, for types, of
+/// which NewNames tells.
 bool MacroEdits::is_told_elsewhere(Side side, const WordMacro& declared) {
     const bool is_type = declared.text.starts_with("typedef ") || declared.text.starts_with("using ");
     if (is_type) return facts_.at_base[side] != nullptr;

@@ -369,12 +369,14 @@ void PairCarrier::finish(const PairEdit& edit, const Texts& texts, const Transpl
         compare_now(pair, edit.line, edit.before, source, to_target ? pair.unit.source->prints : state.prints, target,
                     to_target ? state.prints : pair.unit.target->prints, knowledge_.dialect());
     out.state = out.left.empty() ? ProposalState::Proposed : ProposalState::Partial;
-    const bool is_asked_about =
-        compared.standing > Standing::Equivalent &&
-        !is_edited_in_same_words(pair, edit.before, source, target, knowledge_.dialect(), found.added.empty()) &&
-        (changes_other_values(found, texts.old_text, texts.port_text, texts.across) ||
-         !is_only_noted(pair, edit.before, source, target, knowledge_.dialect()));
-    if (out.left.empty() && is_asked_about) {
+    const auto is_asked_about = [&] {
+        if (compared.standing <= Standing::Equivalent) return false;
+        const EditedBodies bodies(edit.before, source, target);
+        return !is_edited_in_same_words(pair, bodies, knowledge_.dialect(), found.added.empty()) &&
+               (changes_other_values(found, texts.old_text, texts.port_text, texts.across) ||
+                !is_only_noted(pair, bodies, knowledge_.dialect()));
+    };
+    if (out.left.empty() && is_asked_about()) {
         out.state = ProposalState::Partial;
         leave_where(what_differs(compared), "check would still ask about it: " + what_differs(compared));
     }

@@ -17,6 +17,26 @@
 #include "porttool/sync/scopes.h"
 
 namespace porttool {
+namespace {
+
+bool are_functions(const JudgedPair& pair) {
+    return std::all_of(kBothSides.begin(), kBothSides.end(), [&](Side side) {
+        return pair.unit[side]->kind == UnitKind::Function || pair.unit[side]->kind == UnitKind::Kernel;
+    });
+}
+
+}  // namespace
+
+EditedBodies::EditedBodies(const BySide<NormalText>& before, const NormalText& source, const NormalText& target) {
+    const Words old_source = before.source.words(), old_target = before.target.words(), new_source = source.words(),
+                new_target = target.words();
+    same_preludes =
+        prelude_of(old_source) == prelude_of(new_source) && prelude_of(old_target) == prelude_of(new_target);
+    source_before = without_prelude(old_source);
+    source_now = without_prelude(new_source);
+    target_before = without_prelude(old_target);
+    target_now = without_prelude(new_target);
+}
 
 PairComparison compare_now(const JudgedPair& pair, const LockedPair& line, const BySide<NormalText>& before,
                            const NormalText& source, const Fingerprints& source_prints, const NormalText& target,
@@ -31,39 +51,26 @@ PairComparison compare_now(const JudgedPair& pair, const LockedPair& line, const
                         dialect, budget);
 }
 
-bool is_only_noted(const JudgedPair& pair, const BySide<NormalText>& before, const NormalText& source,
-                   const NormalText& target, const Dialect& dialect) {
-    for (const Side side : kBothSides)
-        if (pair.unit[side]->kind != UnitKind::Function && pair.unit[side]->kind != UnitKind::Kernel) return false;
-    const Words old_source = before.source.words(), old_target = before.target.words(), new_source = source.words(),
-                new_target = target.words();
-    const Words source_before = without_prelude(old_source), source_now = without_prelude(new_source),
-                target_before = without_prelude(old_target), target_now = without_prelude(new_target);
-    const PairTexts texts{source_before, source_now, target_before, target_now};
+bool is_only_noted(const JudgedPair& pair, const EditedBodies& bodies, const Dialect& dialect) {
+    if (!are_functions(pair)) return false;
+    const PairTexts texts = bodies.texts();
     if (only_adds_labels_of_other(texts.source_before, texts.source_now, texts.target_now) &&
         only_adds_labels_of_other(texts.target_before, texts.target_now, texts.source_now))
         return true;
     const auto language = [&](Side side) { return language_of_path(pair.unit[side]->file); };
-    return prelude_of(old_source) == prelude_of(new_source) && prelude_of(old_target) == prelude_of(new_target) &&
+    return bodies.same_preludes &&
            edits_leave_no_difference(texts, dialect, {language(Side::Source), language(Side::Target)});
 }
 
-bool is_edited_in_same_words(const JudgedPair& pair, const BySide<NormalText>& before, const NormalText& source,
-                             const NormalText& target, const Dialect& dialect, bool in_place) {
-    for (const Side side : kBothSides)
-        if (pair.unit[side]->kind != UnitKind::Function && pair.unit[side]->kind != UnitKind::Kernel) return false;
-    const Words old_source = before.source.words(), old_target = before.target.words(), new_source = source.words(),
-                new_target = target.words();
-    if (prelude_of(old_source) != prelude_of(new_source) || prelude_of(old_target) != prelude_of(new_target))
-        return false;
-    const Words source_before = without_prelude(old_source), source_now = without_prelude(new_source),
-                target_before = without_prelude(old_target), target_now = without_prelude(new_target);
-    const PairTexts texts{source_before, source_now, target_before, target_now};
+bool is_edited_in_same_words(const JudgedPair& pair, const EditedBodies& bodies, const Dialect& dialect,
+                             bool in_place) {
+    if (!are_functions(pair) || !bodies.same_preludes) return false;
+    const PairTexts texts = bodies.texts();
     if (edits_spot_by_spot(texts, dialect) ||
         (in_place && edits_in_own_words(texts, dialect) && grouping_of_edits(texts, dialect) == Grouping::Alike))
         return true;
     const LearnedWords said = in_words_of_target(texts, dialect, {pair.id.source, pair.id.target});
-    return edits_spot_by_spot({said.before, said.now, target_before, target_now}, dialect);
+    return edits_spot_by_spot({said.before, said.now, texts.target_before, texts.target_now}, dialect);
 }
 
 std::string what_differs(const PairComparison& found) {

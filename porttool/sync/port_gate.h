@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "porttool/compare/compare_pair.h"
+#include "porttool/compare/meaning.h"
 #include "porttool/judge/check_project.h"
 #include "porttool/read/lock_lines.h"
 
@@ -22,16 +23,26 @@ PairComparison compare_now(const JudgedPair& pair, const LockedPair& line, const
                            const NormalText& source, const Fingerprints& source_prints, const NormalText& target,
                            const Fingerprints& target_prints, const Dialect& dialect);
 
+/// The four texts of a pair whose sides were both edited, without what stands before their bodies. Of texts that
+/// outlive it.
+struct EditedBodies {
+    /// `before`: the texts when the pair was last in step.
+    EditedBodies(const BySide<NormalText>& before, const NormalText& source, const NormalText& target);
+
+    PairTexts texts() const { return {source_before, source_now, target_before, target_now}; }
+
+    Words source_before, source_now, target_before, target_now;
+    bool same_preludes;  ///< what stands before the bodies stayed as it was on both sides
+};
+
 /// True if `check` has no more than a note for edits that differ so: what came to both sides is the same, and what each
 /// had in its own words is gone, or the same labels joined an arm.
-bool is_only_noted(const JudgedPair& pair, const BySide<NormalText>& before, const NormalText& source,
-                   const NormalText& target, const Dialect& dialect);
+bool is_only_noted(const JudgedPair& pair, const EditedBodies& bodies, const Dialect& dialect);
 
 /// True if the same words came and went on both sides, at the same places, or for the most part and none in a wrong
 /// place, in statements that are said in two ways: what `check` only notes as well. `in_place`: no statement came, so
 /// that the port's own words stand around all that changed; only then "for the most part" is enough.
-bool is_edited_in_same_words(const JudgedPair& pair, const BySide<NormalText>& before, const NormalText& source,
-                             const NormalText& target, const Dialect& dialect, bool in_place);
+bool is_edited_in_same_words(const JudgedPair& pair, const EditedBodies& bodies, const Dialect& dialect, bool in_place);
 
 /// What stands in the way of two edits that are not equivalent, as a reader is told.
 std::string what_differs(const PairComparison& found);
