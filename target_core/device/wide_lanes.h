@@ -260,9 +260,13 @@ inline Float gather_plane(const float* plane, const Pixels& pixels) {
     return uintBitsToFloat(Uint(gather_words(reinterpret_cast<const uint*>(plane), pixels.index.v)));
 }
 
+/// Lanes in memory wherever a float may be. What is stored as these is floats to the compiler, as nothing copied byte
+/// by byte is: what else a kernel has bound is not read again for every packet.
+typedef float LooseFloatLanes __attribute__((vector_size(4 * LANES), aligned(4)));
+
 inline void scatter_plane(float* plane, const Pixels& pixels, Float value) {
     if (active_lanes == ALL_LANES) {
-        __builtin_memcpy(plane + pixels.first, &value.v, sizeof(value.v));
+        *reinterpret_cast<LooseFloatLanes*>(plane + pixels.first) = value.v;
         return;
     }
     for (uint left = active_lanes; left != 0; left &= left - 1) {
