@@ -9,10 +9,12 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
+#include <dlfcn.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -32,12 +34,25 @@ std::string& last_glfw_error() {
     return error;
 }
 
+/// Xlib ends a program whose display went away with words of its own and exit code 1, which says something else here.
+/// Asked for by name: Wayland needs no Xlib.
+void tell_of_lost_display() {
+    using Handler = int (*)(void*);
+    const auto set_handler = reinterpret_cast<Handler (*)(Handler)>(dlsym(RTLD_DEFAULT, "XSetIOErrorHandler"));
+    if (!set_handler) return;
+    set_handler([](void*) -> int {
+        std::fputs("pathtracer: error: view: the display went away; start it again where there is one\n", stderr);
+        std::_Exit(2);  // threads are at work
+    });
+}
+
 /// GLFW as long as it is needed.
 struct Glfw {
     bool is_up = false;
     Glfw() {
         glfwSetErrorCallback([](int, const char* text) { last_glfw_error() = text; });
         is_up = glfwInit() == GLFW_TRUE;
+        if (is_up) tell_of_lost_display();
     }
     ~Glfw() {
         if (is_up) glfwTerminate();

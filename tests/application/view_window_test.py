@@ -437,6 +437,21 @@ class RefusedTest(unittest.TestCase):
         self.assertEqual((got.returncode, got.stdout), (2, b""))
         self.assertIn(b"nowhere.gltf: there is no such file", got.stderr)
 
+    def test_says_so_where_the_display_goes_away(self):
+        with tempfile.TemporaryDirectory() as name:
+            screen = Screen(name)
+            log = pathlib.Path(name) / "log"
+            window = subprocess.Popen([PATHTRACER, "view", "still_life", "--size", "32x18", "--core", "target", "--log", log],
+                                      env={**os.environ, "DISPLAY": screen.display}, stderr=subprocess.PIPE)
+            deadline = time.monotonic() + PATIENCE
+            while not (log.exists() and b'"pixels"' in log.read_bytes()) and time.monotonic() < deadline:
+                time.sleep(0.05)
+            screen.process.kill()
+            screen.process.wait()
+            said = window.communicate(timeout=PATIENCE)[1]
+            self.assertEqual(window.returncode, 2, said)
+            self.assertEqual(said, b"pathtracer: error: view: the display went away; start it again where there is one\n")
+
     def test_the_log_takes_the_place_of_nothing_that_is_read_and_waits_for_no_reader(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
