@@ -243,7 +243,7 @@ const std::string& ViewSession::reload_error() const {
 
 /// Both cores begin anew, so that what is compared has as many samples on either side.
 void ViewSession::note_kernels(const KernelNews& news) {
-    const bool is_same_error = news.error == kernel_error_;
+    const bool is_same_error = news.error == kernel_error_, had_error = !kernel_error_.empty();
     kernel_error_ = news.error;
     const std::string& name = core_name(news.core);
     if (!news.error.empty()) {
@@ -251,11 +251,13 @@ void ViewSession::note_kernels(const KernelNews& news) {
         return;
     }
     const bool has_failed = !problems_[news.core].empty();
-    if (news.done.kernels.empty() && !has_failed) return;
+    const bool is_as_it_was = news.done.kernels.empty() && !has_failed;
+    if (is_as_it_was && !had_error) return;
     log_.say("reload", {{"core", name},
                         {"files", news.files},
                         {"kernels", news.done.kernels},
                         {"compile_ms", std::round(news.done.compile_ms)}});
+    if (is_as_it_was) return;
     problems_[news.core].clear();
     workers_[news.core]->retry();
     if (!is_needed(news.core)) return;

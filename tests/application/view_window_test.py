@@ -294,6 +294,10 @@ class KernelsTest(Person):
         (self.kernels / "finalize.glsl").unlink()
         self.assertIn("finalize.glsl", self.wait_for("error", lambda detail: detail.get("core") == "source")["detail"]["message"])
         self.until(lambda now: red() > WIDTH / 2 and brightness(now) < 0.7 * plain)
+        # As it is running: nothing is compiled, and the error is over.
+        self.save("finalize.glsl", ("sum * pass.sample_scale", "0.25 * sum * pass.sample_scale"))
+        self.assertEqual(self.wait_for("reload")["detail"]["kernels"], [])
+        self.until(lambda now: red() < WIDTH / 2 and brightness(now) < 0.7 * plain)
         self.save("finalize.glsl")
         self.wait_for("pixels", lambda detail: detail["core"] == "source")
         self.until(lambda now: red() < WIDTH / 2 and abs(brightness(now) - plain) < plain / 10)
