@@ -32,17 +32,18 @@ void declare_history(Declare& declare, Options& options) {
 Outcome run_history(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "html", "json", "csv"});
     const Past past = open_past(options, place);
-    const std::string path = join_path(past.git->own_folder(), "porttool/history.cache");
+    const TreePath kept{past.git->own_folder(), "porttool/history.cache", Links::None};
     BlobCache cache;
     if (!options.no_cache)
-        if (const FileText file = place.disk.read(path, kLargestCache); file.error.empty())
+        if (const FileText file = place.disk.read(kept, kLargestCache); file.error.empty())
             cache = BlobCache(file.bytes);
     History history = history_of(past, options.since, cache, place);
     if (options.format == "json") history.newest = newest_blocks(past, history, place.disk);
     if (!options.no_cache && cache.changed())
-        if (const std::string failure = place.disk.write(path, cache.file(kLargestCache / 2));
+        if (const std::string failure = place.disk.write(kept, cache.file(kLargestCache / 2));
             !failure.empty() && options.verbose)
-            place.err << "porttool: " << terminal_text(path) << ": " << failure << "; the next run measures anew\n";
+            place.err << "porttool: " << terminal_text(join_path(kept.root, kept.path)) << ": " << failure
+                      << "; the next run measures anew\n";
     if (history.cut && !options.quiet)
         place.err << "porttool: this is a shallow clone; its history reaches back to " << history.oldest.id << " ("
                   << day_of(history.oldest.time) << ")\nFetch the rest: git fetch --unshallow\n";

@@ -118,7 +118,9 @@ Outcome run_sync(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "json", "patch"});
     require_together(options);
     const CheckedProject checked = check_project(options, place);
-    const ApplyJournal::Interrupted interrupted = ApplyJournal(checked.project.root, place.disk).take_interrupted();
+    const ApplyJournal::Interrupted interrupted =
+        ApplyJournal(checked.project.root, place.disk)
+            .take_interrupted({checked.project.root, target_root(checked.project)});
     place.err << interrupted.told;
     if (interrupted.is_finished) return run_sync(options, place);  // of the files as they are now
     const WriteSide write = options.to_side == "source"   ? WriteSide::Source

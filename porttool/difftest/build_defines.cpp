@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+
+#include "porttool/read/bounded_json.h"
 
 namespace porttool {
 namespace {
@@ -171,9 +172,8 @@ BuildDefines::BuildDefines(const std::string& root, const Disk& disk, const std:
 void BuildDefines::read_commands(const std::string& path) {
     const FileText text = disk_.read(TreePath{root_, path}, kLargestCommands);
     if (!text.error.empty()) return;
-    constexpr int kDeepest = 4;
-    const auto watch = [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) { return depth <= kDeepest; };
-    const nlohmann::json all = nlohmann::json::parse(text.bytes, watch, false);
+    constexpr int kDeepest = 16;
+    const auto all = bounded_json<nlohmann::json>(text.bytes, kDeepest);
     if (!all.is_array()) return;
     const auto string_in = [](const nlohmann::json& one, const char* name) {
         return one.contains(name) && one[name].is_string() ? one[name].get<std::string>() : std::string();

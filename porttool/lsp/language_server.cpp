@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "porttool/lsp/file_uri.h"
+#include "porttool/read/bounded_json.h"
 #include "porttool/read/glob.h"
 #include "porttool/text/sink/json.h"
 
@@ -13,18 +14,7 @@ namespace {
 
 constexpr int kErrorMessage = 1, kInfoMessage = 3, kLogMessage = 4;
 
-/// Reads JSON; nothing for what is none, or is nested as no client nests.
-std::optional<Json> parsed(const std::string& body) {
-    constexpr int kDeepest = 64;
-    bool too_deep = false;
-    const auto watch = [&](int depth, Json::parse_event_t, Json&) {
-        too_deep = too_deep || depth > kDeepest;
-        return !too_deep;
-    };
-    Json out = Json::parse(body, watch, false);
-    if (out.is_discarded() || too_deep) return std::nullopt;
-    return out;
-}
+constexpr int kDeepestMessage = 64;  // no client nests as deep
 
 bool holds_text(const Json& list, const std::string& text) {
     return list.is_array() && std::any_of(list.begin(), list.end(), [&](const Json& one) { return one == text; });
@@ -81,18 +71,18 @@ int64_t version_in(const Json& params) {
 
 void LanguageServer::take(const IncomingMessage& message) {
     if (!message.problem.empty()) return send_error(nullptr, ErrorCode::ParseError, message.problem);
-    const std::optional<Json> json = parsed(message.body);
-    if (!json) return send_error(nullptr, ErrorCode::ParseError, "this is no JSON");
-    if (!json->is_object())
+    const Json json = bounded_json<Json>(message.body, kDeepestMessage);
+    if (json.is_discarded()) return send_error(nullptr, ErrorCode::ParseError, "this is no JSON");
+    if (!json.is_object())
         return send_error(nullptr, ErrorCode::InvalidRequest,
                           "a message is one object; batches are not of this protocol");
-    const Json& id = value_at(*json, {"id"});
-    const Json& method = value_at(*json, {"method"});
-    const bool has_id = json->contains("id");
+    const Json& id = value_at(json, {"id"});
+    const Json& method = value_at(json, {"method"});
+    const bool has_id = json.contains("id");
     const bool id_fits = id.is_string() || id.is_number_integer();
-    if (method.is_null() && (json->contains("result") || json->contains("error"))) return;  // of no request of ours
-    const Json& params = value_at(*json, {"params"});
-    if (!method.is_string() || (has_id && !id_fits) || value_at(*json, {"jsonrpc"}) != "2.0" ||
+    if (method.is_null() && (json.contains("result") || json.contains("error"))) return;  // of no request of ours
+    const Json& params = value_at(json, {"params"});
+    if (!method.is_string() || (has_id && !id_fits) || value_at(json, {"jsonrpc"}) != "2.0" ||
         !(params.is_null() || params.is_object() || params.is_array()))
         return send_error(id_fits ? id : Json(nullptr), ErrorCode::InvalidRequest,
                           "expected {\"jsonrpc\": \"2.0\", \"id\", \"method\", \"params\"}");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "porttool/read/bounded_json.h"
 #include "porttool/read/cannot_do.h"
 #include "porttool/text/fingerprint.h"
 #include "porttool/text/sink/terminal.h"
@@ -100,17 +101,6 @@ std::string example_text(const ordered_json& example) {
            short_number(member(example, "target"));
 }
 
-/// Nested values would be the only way to make few bytes cost much.
-ordered_json parsed(const std::string& text) {
-    bool too_deep = false;
-    const auto watch = [&](int depth, ordered_json::parse_event_t, ordered_json&) {
-        too_deep = too_deep || depth > kDeepest;
-        return depth <= kDeepest;
-    };
-    ordered_json out = ordered_json::parse(text, watch, false);
-    return too_deep || out.is_discarded() ? ordered_json() : out;
-}
-
 SeenKernel kernel_of(const ordered_json& difference, const ordered_json& whole) {
     SeenKernel out;
     out.name = text_in(difference, "kernel");
@@ -134,7 +124,7 @@ public:
     explicit EvidenceReader(const std::string& path) { out_.path = path; }
 
     EvidenceFile read(const std::string& text) {
-        const ordered_json whole = parsed(text);
+        const auto whole = bounded_json<ordered_json>(text, kDeepest);
         if (!whole.is_object()) fail("is no whole JSON object");
         const std::string kind = text_in(whole, "kind");
         if (kind != "difftest" && kind != "locate")

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "porttool/read/cannot_do.h"
+#include "porttool/read/disk.h"
 #include "porttool/text/sink/shell.h"
 #include "porttool/text/sink/terminal.h"
 
@@ -153,6 +154,17 @@ std::string git_entry_above(const std::string& root) {
     return {};
 }
 
+/// The file of a repository that is no file, as a pipe that libgit2 would wait for without end; "" if there is none.
+std::string waiting_file(const std::string& folder) {
+    std::error_code error;
+    for (const char* name : {"config", "HEAD", "index", "packed-refs", "shallow", "commondir"})
+        if (const std::filesystem::file_status status =
+                std::filesystem::status(std::filesystem::path(folder) / name, error);
+            std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+            return join_path(folder, name);
+    return {};
+}
+
 }  // namespace
 
 git_repository* open_work_tree(const std::string& git_entry) {
@@ -177,10 +189,18 @@ OpenedGit open_git(const std::string& root, const std::string& remedy) {
     OpenedGit out;
     const std::string entry = git_entry_above(root);
     out.is_there = !entry.empty();
-    git_repository* repository = entry.empty() ? nullptr : open_work_tree(entry);
+    std::string waiting = entry.empty() ? "" : waiting_file(entry);
+    git_repository* repository = entry.empty() || !waiting.empty() ? nullptr : open_work_tree(entry);
+    if (repository != nullptr) waiting = waiting_file(git_repository_path(repository));  // of a linked work tree
     if (git_repository* bare = entry.empty() ? open_work_tree(root) : nullptr) {
         git_repository_free(bare);
         out.error = terminal_text(root) + " is a bare repository; porttool needs a work tree: git worktree add";
+        return out;
+    }
+    if (!waiting.empty()) {
+        git_repository_free(repository);
+        out.error = terminal_text(waiting) + " is no file, and is not read\n" + remedy + ": git -C " +
+                    terminal_text(shell_quoted(root)) + " status";
         return out;
     }
     if (repository == nullptr) {

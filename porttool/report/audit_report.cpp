@@ -87,8 +87,6 @@ void tell(const AuditItem& item, const char* other_side, const Line& line) {
     for (const std::string& why : item.why) line("why", why);
 }
 
-std::string as_it_is(std::string_view text) { return std::string(text); }
-
 }  // namespace
 
 std::string audit_json(const Audit& audit) {
@@ -142,7 +140,7 @@ std::string audit_markdown(const Audit& audit) {
         out += "   - to settle it: " + markdown_code(item.remedy) + "\n";
         if (item.patch.empty()) continue;
         const std::string fence = markdown_fence(item.patch);
-        out += "\n   " + fence + "diff\n" + patch_lines(item.patch, "   ", as_it_is) + "   " + fence + "\n";
+        out += "\n   " + fence + "diff\n" + patch_lines(item.patch, "   ", nullptr) + "   " + fence + "\n";
     }
     return out + "\n" + markdown_text(tail(audit)) + "\n";
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <filesystem>
 #include <utility>
 
 #include "porttool/read/git_repository.h"
@@ -38,26 +39,34 @@ bool is_gone(const std::string& process) {
 
 constexpr const char* kNoFile = "-";
 
+/// True for the same folder, by whatever name.
+bool is_root_of_ours(const std::string& root, const std::vector<std::string>& roots) {
+    std::error_code error;
+    return std::any_of(roots.begin(), roots.end(), [&](const std::string& one) {
+        return one == root || std::filesystem::equivalent(one, root, error);
+    });
+}
+
 std::string print_of(const std::string& bytes) { return std::to_string(hash_text(bytes)); }
 
 }  // namespace
 
 ApplyJournal::ApplyJournal(const std::string& root, Disk& disk) : disk_(disk) {
     const GitRepository repository(root);
-    if (repository.error().empty()) path_ = join_path(repository.own_folder(), "porttool/apply");
+    if (repository.error().empty()) note_ = {repository.own_folder(), "porttool/apply", Links::None};
 }
 
 void ApplyJournal::begin(const std::vector<WrittenFile>& files) {
-    if (path_.empty() || files.size() < 2) return;
+    if (note_.root.empty() || files.size() < 2) return;
     std::string text = std::to_string(::getpid()) + '\0';
     for (const WrittenFile& file : files)
         text +=
             file.place.root + '\0' + file.place.path + '\0' + print_now(file.place) + '\0' + print_of(file.now) + '\0';
-    (void)disk_.write(path_, text);  // where that cannot be, the files still can
+    (void)disk_.write(note_, text);  // where that cannot be, the files still can
 }
 
 void ApplyJournal::end() {
-    if (!path_.empty() && disk_.exists(path_)) (void)disk_.write(path_, "");
+    if (!note_.root.empty() && disk_.kind(note_) == FileKind::File) (void)disk_.write(note_, "");
 }
 
 std::string ApplyJournal::print_now(const TreePath& place) const {
@@ -89,11 +98,13 @@ bool ApplyJournal::finish(const std::vector<Noted>& files, int process) {
                        [](const auto& one) { return take_temporary(one.first->place, one.second).empty(); });
 }
 
-ApplyJournal::Interrupted ApplyJournal::take_interrupted() {
-    if (path_.empty() || !disk_.exists(path_)) return {};
-    const std::vector<std::string> fields = fields_of(disk_.read(path_, kLargestFile).bytes);
+ApplyJournal::Interrupted ApplyJournal::take_interrupted(const std::vector<std::string>& roots) {
+    if (note_.root.empty() || disk_.kind(note_) != FileKind::File) return {};
+    const std::vector<std::string> fields = fields_of(disk_.read(note_, kLargestFile).bytes);
     const std::vector<Noted> files = fields.empty() ? std::vector<Noted>() : noted(fields);
-    if (files.empty() || !is_gone(fields[0])) return {};
+    const bool is_ours = std::all_of(files.begin(), files.end(),
+                                     [&](const Noted& file) { return is_root_of_ours(file.place.root, roots); });
+    if (files.empty() || !is_ours || !is_gone(fields[0])) return {};
     const auto is_as_before = [&](const Noted& file) { return print_now(file.place) == file.before; };
     const bool none_written = std::all_of(files.begin(), files.end(), is_as_before);
     const bool finished = !none_written && finish(files, static_cast<int>(std::strtol(fields[0].c_str(), nullptr, 10)));

@@ -26,8 +26,9 @@ public:
         bool is_finished = false;  ///< all its files have its text now
     };
     /// Where each file is as it was or has its text, and those that were not written yet have it beside them, the rest
-    /// is written. Anything else is told, once. What lies beside the files is removed.
-    Interrupted take_interrupted();
+    /// is written. Anything else is told, once. What lies beside the files is removed. A note of files beneath other
+    /// roots than these is none of ours: a `.git` may come in an archive.
+    Interrupted take_interrupted(const std::vector<std::string>& roots);
 
 private:
     struct Noted {
@@ -38,7 +39,7 @@ private:
     std::string print_now(const TreePath& place) const;
     bool finish(const std::vector<Noted>& files, int process);
 
-    std::string path_;  ///< "" outside of git
+    TreePath note_;  ///< of no root outside of git
     Disk& disk_;
 };
 

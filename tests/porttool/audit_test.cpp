@@ -788,6 +788,8 @@ TEST_F(Audit, CallsThatTakeTheSameInAnotherOrderAreNoDifference) {
 }
 
 TEST_F(Audit, PrintsForPeople) {
+    change("cpu/shade.cpp", "level + 0.01f;", "level + 0.01f;  // <b>\x1b[31m```\u202e");
+    commit("A note", 1);
     change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
     commit("Fix <b>dark</b> surfaces", 2);
     for (const std::string format : {"html", "markdown", "text"}) {
@@ -795,6 +797,10 @@ TEST_F(Audit, PrintsForPeople) {
         EXPECT_EQ(got.exit_code, 1);
         EXPECT_NE(got.out.find("gpu/shade.cu:1, shade"), std::string::npos) << got.out;
         EXPECT_EQ(got.out.find("<b>dark</b>") != std::string::npos, format == "text") << got.out;
+        // The patch is for reading here, and acts on nobody.
+        EXPECT_NE(got.out.find("\\u{1b}[31m```\\u{202e}"), std::string::npos) << got.out;
+        EXPECT_EQ(got.out.find_first_of("\x1b"), std::string::npos) << got.out;
+        EXPECT_EQ(got.out.find("````diff\n") != std::string::npos, format == "markdown") << got.out;
     }
     EXPECT_EQ(audit({"--format", "sarif"}).exit_code, 2);
 }

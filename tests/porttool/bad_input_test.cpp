@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "porttool/read/bounded_json.h"
 #include "tests/porttool/fixtures.h"
 #include "tests/porttool/run_command.h"
 
@@ -26,6 +27,27 @@ std::string error_of(MemoryDisk disk, std::vector<std::string> arguments) {
 }
 
 bool says(const std::string& message, const std::string& part) { return message.find(part) != std::string::npos; }
+
+// A few bytes a value, forty in memory: what has millions is no message and no evidence.
+TEST(BadInput, JsonOfDeepOrVeryManyValues) {
+    using nlohmann::json;
+    const auto is_read = [](const std::string& text) { return !bounded_json<json>(text, 4).is_discarded(); };
+    const auto repeated = [](const std::string& part, size_t times) {
+        std::string out;
+        for (size_t i = 0; i < times; ++i) out += part;
+        return out;
+    };
+    EXPECT_TRUE(is_read(R"([[[{"a": 1}]]])"));
+    EXPECT_FALSE(is_read("[[[[[1]]]]]"));
+    EXPECT_FALSE(is_read(R"([[[{"a": [1]}]]])"));
+    EXPECT_TRUE(is_read(R"([[{"a": [], "b": {}}], null, true, 1, -1, 1.5, "x"])"));
+    EXPECT_FALSE(is_read("[1"));
+    EXPECT_FALSE(is_read(std::string(10'000'000, '[')));
+    for (const std::string part : {"0,", "[],", "{},", "\"\","}) {
+        EXPECT_TRUE(is_read("[" + repeated(part, 300'000) + "0]")) << part;  // in seconds, not hours
+        EXPECT_FALSE(is_read("[" + repeated(part, 4'200'000) + "0]")) << part;
+    }
+}
 
 TEST(BadInput, Globs) {
     MemoryDisk disk;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What git can be made to say: links and submodules in commits, files that no reader has, an index or a repository that
 // cannot be read. What is not known of the merge base must never pass for what was not there.
+#include <sys/stat.h>
+
 #include <functional>
 
 #include "porttool/read/git_repository.h"
@@ -142,6 +144,27 @@ TEST_F(HostileGit, ACommitOrFolderOfHundredsOfMebibytesEndsInALine) {
     expect_told(
         {{"history"}, {"audit"}, {"effort", "--from", "HEAD~1", "--to", "HEAD"}, {"check", "--base", "HEAD~1"}});
     EXPECT_EQ(porttool({"check", "--base", "main"}).exit_code, 0);
+}
+
+// A `.git` that came in an archive may hold pipes; nothing waits for them.
+TEST_F(HostileGit, PipesInThePlaceOfFilesOfGitAreNotWaitedFor) {
+    start();
+    for (const std::string name : {"config", "HEAD", "index", "packed-refs", "shallow"}) {
+        const fs::path place = root / ".git" / name, kept = root / ".git/kept";
+        const bool was_there = fs::exists(place);
+        if (was_there) fs::rename(place, kept);
+        ASSERT_EQ(::mkfifo(place.c_str(), 0600), 0);
+        for (const std::vector<std::string>& command :
+             {std::vector<std::string>{"check", "--base", "main"}, {"check", "--staged"}, {"history"}, {"audit"}}) {
+            const CommandRun got = porttool(command);
+            EXPECT_EQ(got.exit_code, 2) << name << " " << command[0];
+            EXPECT_NE(got.err.find(".git/" + name + " is no file"), std::string::npos) << got.err;
+        }
+        EXPECT_EQ(porttool({"check"}).exit_code, 0) << name;
+        fs::remove(place);
+        if (was_there) fs::rename(kept, place);
+    }
+    EXPECT_EQ(exit_codes(kGates), (std::vector<int>{0, 0, 0}));
 }
 
 TEST_F(HostileGit, WithoutALockWhatIsNotKnownOfTheBaseIsAnError) {

@@ -363,6 +363,25 @@ TEST_F(SyncCommand, TellsOfAnApplyThatWasKilled) {
         << got.err;
     EXPECT_FALSE(std::filesystem::exists(root / ("port/k.comp.porttool-" + number + ".1")));
     EXPECT_EQ(porttool({"sync"}).err, "") << "it is told once";
+
+    // A `.git` may come in an archive: a note of files elsewhere, or one behind a link, is none of ours.
+    const std::filesystem::path outside = root.string() + "_outside", left = outside / ("a.porttool-" + number + ".1");
+    std::filesystem::create_directories(outside);
+    std::ofstream(outside / "a") << "precious";
+    std::ofstream(left) << "planted";
+    const std::string print = std::to_string(hash_text("precious")), planted = std::to_string(hash_text("planted"));
+    write(".git/porttool/apply", number + end + outside.string() + end + "a" + end + print + end + planted + end +
+                                     root.string() + end + "port/k.comp" + end + "1" + end +
+                                     std::to_string(hash_text(port())) + end);
+    EXPECT_EQ(porttool({"sync"}).err, "");
+    EXPECT_EQ(read_text(outside / "a") + read_text(left), "preciousplanted");
+    std::filesystem::remove_all(root / ".git/porttool");
+    std::filesystem::create_directory_symlink(outside, root / ".git/porttool");
+    EXPECT_EQ(porttool({"history"}).exit_code, 0);
+    EXPECT_EQ(porttool({"sync"}).exit_code, 0);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(outside), std::filesystem::directory_iterator()), 2);
+    std::filesystem::remove_all(outside);
+    std::filesystem::remove(root / ".git/porttool");
     EXPECT_EQ(porttool({"sync", "--apply"}).exit_code, 0);
     EXPECT_EQ(port(), kOnePorted);
     EXPECT_EQ(porttool({"sync"}).err, "");
