@@ -87,6 +87,21 @@ bool is_alternative(const ReadSide& side, size_t index, const ReadSide& other) {
     return false;
 }
 
+std::optional<float> shared_around(const ReadSide& side, size_t index, const ReadSide& other) {
+    constexpr size_t kNear = 5;            // statements before and behind
+    constexpr float kMostOfStatement = 8;  // a long one is not worth more than so many words
+    float all = 0, shared = 0;
+    const size_t end = std::min(side.weighed.size(), index + kNear + 1);
+    for (size_t i = std::max<size_t>(1, index - std::min(index, kNear)); i < end; ++i) {
+        if (i == index) continue;
+        const float weight = std::min(side.weighed[i].sum, kMostOfStatement);
+        const Nearest near = nearest(side.weighed[i], other.weighed);
+        all += weight;
+        if (near.any && near.distance <= 0) shared += weight;
+    }
+    return all > 0 ? std::optional(shared / all) : std::nullopt;
+}
+
 bool governs_the_same(const ReadSide& side, size_t index, const ReadSide& other) {
     constexpr float kSame = 0.75f, kTelling = 3;
     if (!is_governing_head(side.words[index]) || index + 1 >= side.words.size()) return false;

@@ -3,6 +3,8 @@
 // What the statements around one tell of it.
 #pragma once
 
+#include <optional>
+
 #include "porttool/audit/common_texts.h"
 
 namespace porttool {
@@ -21,5 +23,8 @@ bool is_alternative(const ReadSide& side, size_t index, const ReadSide& other);
 ///     if ( ! isinf ( pixel [ 3 * at ] ) )       if ( film . has_samples ( at ) )
 ///         sum += weight * pixel [ at ] ;            sum += weight * pixel [ at ] ;
 bool governs_the_same(const ReadSide& side, size_t index, const ReadSide& other);
+
+/// How much of what stands around a statement the other side has as it is, 0 to 1; nothing where nothing stands there.
+std::optional<float> shared_around(const ReadSide& side, size_t index, const ReadSide& other);
 
 }  // namespace porttool

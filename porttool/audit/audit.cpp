@@ -266,7 +266,7 @@ private:
     }
 
     static constexpr size_t kFew = 20;            ///< whoever asks for no more than that wants what is likely
-    static constexpr double kLikely = 0.25;       ///< fewer than half of those below were real where that was counted
+    static constexpr double kLikely = 0.45;       ///< half of those just above were real where that was counted
     static constexpr double kLikelyToday = 0.29;  ///< the same for what no commit tells of: twins, but for one place
     static constexpr size_t kMostPatches = 100;   ///< beyond, nobody reads them, and each takes a while
 

@@ -19,6 +19,7 @@ struct MissingPlace {
     WrittenStatement behind;       ///< of a statement that came: the one before it today; "" for none
     WrittenStatement there;        ///< the statement of the other side that says what was before; "" for none
     float strength = 0;            ///< how sure it is that the other side lacks it and should not, 0 to 1
+    float around = 0;              ///< share of the words around it that both sides have, 0 to 1
     bool constants_only = false;   ///< nothing but numbers changed
     bool widens = false;           ///< nothing but the width of an integer did
 };

@@ -197,6 +197,7 @@ private:
         if (place.strength < kFaint) return;
         if (is_alternative(texts_.sides[other(side)], found.index, texts_.sides[side])) place.strength *= kOtherBranch;
         place.constants_only = numbers_alone(place.before, place.now);
+        place.around = around(side, line.index);
         note(line.steps[told].commit, std::move(place));
     }
 
@@ -212,6 +213,11 @@ private:
         for (size_t i = 0; i + 1 < words.size() && words[i] != "="; ++i)
             if (words[i] == "@" && words[i + 1] == "(") return i > 0 && is_word_token(words[i - 1]);
         return false;
+    }
+
+    float around(Side side, size_t index) const {
+        const auto shared = shared_around(texts_.sides[side], index, texts_.sides[other(side)]);
+        return shared ? *shared : texts_.alike();
     }
 
     bool stands_in_file_of(Side side, const WrittenStatement& statement) const {
@@ -241,6 +247,7 @@ private:
         place.before = step->before;
         place.strength = kMayOverflow;
         place.widens = true;
+        place.around = around(side, line.index);
         note(step->commit, std::move(place));
     }
 
@@ -298,6 +305,7 @@ private:
         place.behind = statement_before(side, line.index);
         place.strength = 0.8f * std::min(1.0f, (1 - there) / 0.6f) * otherwise_.lacking(side, line.index);
         if (place.strength < kFaint || otherwise_.is_said_in_call(side, line.index)) return;
+        place.around = around(side, line.index);
         note(born.commit, std::move(place));
     }
 
@@ -322,6 +330,7 @@ private:
             0.75f * there * told_by(old_text.sum) * (0.2f + 0.8f * otherwise_.neighbours(other(side), near.index));
         if (heads_loop(words_of_statement(one.text)) && brought_loop(side, one.commit)) place.strength *= kOtherLoop;
         if (place.strength < kFaint) return;
+        place.around = around(other(side), near.index);
         note(one.commit, std::move(place));
     }
 

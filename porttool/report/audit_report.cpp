@@ -59,7 +59,9 @@ std::string tail(const Audit& audit) {
     return fmt::format("{} of {} items; {} pairs, {} commits read{}", audit.items.size(), audit.found, audit.pairs,
                        audit.commits,
                        audit.shallow ? "; a shallow clone: what its oldest commits did is not known" : "") +
-           (audit.items.empty() && audit.found > 0 ? "; all are doubtful: --limit 1000 lists them" : "");
+           (audit.items.size() == audit.found ? ""
+            : audit.items.empty()             ? "; all are doubtful: --limit 1000 lists them"
+                                              : "; the rest is less certain: --limit 1000 lists it");
 }
 
 /// The lines of a patch, each through a sink.

@@ -738,6 +738,47 @@ TEST_F(Audit, WhatIsUnlikelyIsListedWhereManyAreAskedFor) {
     EXPECT_LT(found[1]["certainty"], 0.25);
 }
 
+TEST_F(Audit, AnEditAmongWhatTheOtherSideSaysOtherwiseIsLessCertain) {
+    const auto certainty_of = [&](const std::string& name, const std::string& before, const std::string& behind) {
+        const std::string head =
+            "float " + name + "(const float* lut, float level, float white, int n) {\n    float out = level * 0.5f;\n";
+        const std::string edited = "    out = clamp_to(out * white, level * 0.25f, 0.75f);\n";
+        const std::string tail = "    return out;\n}\n";
+        write("gpu/" + name + ".cu", "__device__ " + head +
+                                         "    out += lut[n] * level;\n    out = out / (out + white);\n" + edited +
+                                         "    if (out > white) out = white;\n    out *= lut[0];\n" + tail);
+        write("cpu/" + name + ".cpp", head + before + edited + behind + tail);
+        commit("Tones", 2);
+        change("gpu/" + name + ".cu", "0.75f", "0.85f");
+        commit("Fix the upper bound of tones", 3);
+        for (const auto& item : items({"--limit", "100"}))
+            if (item["source"] == "gpu/" + name + ".cu:" + name) return item;
+        return nlohmann::json();
+    };
+    const auto same = certainty_of("tone", "    out += lut[n] * level;\n    out = out / (out + white);\n",
+                                   "    if (out > white) out = white;\n    out *= lut[0];\n");
+    const auto other = certainty_of("grade", "    scale_by(out, lut, n);\n    compress(out, white, 2.0f);\n",
+                                    "    limit_tone(out, white);\n    finish(out, lut);\n");
+    ASSERT_TRUE(same.is_object());
+    ASSERT_TRUE(other.is_object());
+    EXPECT_GT(same["certainty"], 0.8);
+    const auto doubt = [](const nlohmann::json& item) { return 1 - item["certainty"].get<double>(); };
+    EXPECT_GT(doubt(other), 5 * doubt(same)) << other;
+    EXPECT_NE(same["why"].dump().find("stands on the other side, too"), std::string::npos) << same;
+    EXPECT_EQ(other["why"].dump().find("stands on the other side, too"), std::string::npos) << other;
+}
+
+TEST_F(Audit, TheLastLineSaysThatLessCertainOnesAreLeftOut) {
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 2);
+    EXPECT_EQ(audit().out.find("less certain: --limit 1000"), std::string::npos);
+    change("gpu/shade.cu", "albedo * weight * 0.3183f", "albedo * scale(weight)");
+    commit("Simplify: vectorised, faster, one cache line less", 3);
+    const CommandRun got = audit();
+    EXPECT_NE(got.out.find("1 of 2 items"), std::string::npos) << got.out;
+    EXPECT_NE(got.out.find("less certain: --limit 1000"), std::string::npos) << got.out;
+}
+
 TEST_F(Audit, WithoutAPastOnlyWhatDiffersToday) {
     change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
     git("add -A && git commit -q --amend -m All");
