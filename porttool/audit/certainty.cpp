@@ -255,7 +255,8 @@ public:
             z_ -= 0.8;
             out_.why.emplace_back("the commit edited the other side's file, too");
         }
-        if (strongest(found.edit).kind == MissingPlace::Kind::Removed) z_ -= 1.2;
+        if (strongest(found.edit).kind == MissingPlace::Kind::Removed)
+            z_ -= 2.2;  // it may be of no use there, and do no harm
         if (reads_command_line(strongest(found.edit).now)) z_ -= 2;
         if (found.edit.past && strongest(found.edit).kind != MissingPlace::Kind::Replaced) {
             z_ -= is_label(strongest(found.edit)) ? 2.4 : 1.2;  // a switch is written with all of its labels
@@ -280,7 +281,8 @@ public:
             out_.why.emplace_back("many pairs differ in the same words: it may be a manner of the two sides");
         }
         weigh_surroundings(strongest(found.edit));
-        out_.certainty = 1 / (1 + std::exp(-z_));
+        constexpr double kMost = 0.95;  // words alone make nobody surer
+        out_.certainty = kMost / (1 + std::exp(-z_));
         return std::move(out_);
     }
 

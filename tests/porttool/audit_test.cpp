@@ -750,7 +750,7 @@ TEST_F(Audit, AnEditAmongWhatTheOtherSideSaysOtherwiseIsLessCertain) {
         write("cpu/" + name + ".cpp", head + before + edited + behind + tail);
         commit("Tones", 2);
         change("gpu/" + name + ".cu", "0.75f", "0.85f");
-        commit("Fix the upper bound of tones", 3);
+        commit("Another upper bound of tones", 3);
         for (const auto& item : items({"--limit", "100"}))
             if (item["source"] == "gpu/" + name + ".cu:" + name) return item;
         return nlohmann::json();
@@ -762,8 +762,7 @@ TEST_F(Audit, AnEditAmongWhatTheOtherSideSaysOtherwiseIsLessCertain) {
     ASSERT_TRUE(same.is_object());
     ASSERT_TRUE(other.is_object());
     EXPECT_GT(same["certainty"], 0.8);
-    const auto doubt = [](const nlohmann::json& item) { return 1 - item["certainty"].get<double>(); };
-    EXPECT_GT(doubt(other), 5 * doubt(same)) << other;
+    EXPECT_LT(other["certainty"].get<double>(), same["certainty"].get<double>() - 0.05) << other;
     EXPECT_NE(same["why"].dump().find("stands on the other side, too"), std::string::npos) << same;
     EXPECT_EQ(other["why"].dump().find("stands on the other side, too"), std::string::npos) << other;
 }
