@@ -344,7 +344,7 @@ private:
     /// Where each side says everything around the place in its own words, that it says the edit, too, is nothing that
     /// a comparison of words can rule out. Last: it takes what the rest came to, and makes odds of it that hold.
     void weigh_surroundings(const MissingPlace& place) {
-        constexpr double kWorth = 2, kEven = 1.1, kSlope = 1.3;  // counted on the items of ten pairs of folders
+        constexpr double kWorth = 2, kEven = 0.85, kSlope = 1.3;  // counted on the items of ten pairs of folders
         constexpr float kSame = 0.8f, kOther = 0.25f;
         z_ = kSlope * (z_ + kWorth * static_cast<double>(place.around) - kEven);
         if (place.around >= kSame) out_.why.emplace_back("what stands around it stands on the other side, too");
