@@ -274,9 +274,9 @@ LARGE = [
       ("shade", "PAIR_LOBE).y < survival;\n        carried = carried * (1.0f / survival);", "PAIR_LOBE).y < survival.x;\n        carried = carried * (1.0f / max(survival.x, survival.y * 0.1f));")]),
     ("stage of the filter", "stage",
      [("layout", "const uint REPROJECT_LIGHT = 7u;", "const uint FILTER_SHARPEN = 10u;    // the picture by its own Laplacian\nconst uint REPROJECT_LIGHT = 7u;"),
-      ("filter", "// The picture again: each layer's light", "// What differs from the mean of its neighbours differs more.\n@void sharpen_picture(Uint job) {\n    Place place = place_of(job + pass.first_pixel);\n"
-       "    vec4 mean = load_filter_picture(place.pixel);\n    vec3 light = vec3(load_light(pass.filter_from, pixels_from(place.pixel)));\n"
-       "    store_filter_picture(place.pixel, vec4(vec3(mean) + (vec3(mean) - light) * 0.25f, mean.w));\n}\n\n// The picture again: each layer's light"),
+      ("filter", "// The picture again: each layer's light", "// What differs from the mean of its neighbours differs more.\n@void sharpen_picture(Uint job) {\n    Pixels here = pixels_in_order(job + pass.first_pixel);\n"
+       "    vec4 mean = load_filter_picture(here);\n    vec3 light = vec3(load_light(pass.filter_from, here));\n"
+       "    store_filter_picture(here, vec4(vec3(mean) + (vec3(mean) - light) * 0.25f, mean.w));\n}\n\n// The picture again: each layer's light"),
       ("source:filter.comp", "        filter_level(job);\n", "        filter_level(job);\n    } else if (pass.filter_stage == FILTER_SHARPEN) {\n        sharpen_picture(job);\n"),
       ("target:filter.cpp", "        for_each_job<filter_level>(pass.path_count);\n", "        for_each_job<filter_level>(pass.path_count);\n    } else if (pass.filter_stage == FILTER_SHARPEN) {\n        for_each_job<sharpen_picture>(pass.path_count);\n")]),
 ]

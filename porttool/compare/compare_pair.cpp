@@ -14,6 +14,7 @@
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
 #include "porttool/compare/own_fields.h"
+#include "porttool/compare/statement_patterns.h"
 #include "porttool/compare/struct_fields.h"
 #include "porttool/compare/switch_cases.h"
 #include "porttool/compare/values.h"
@@ -142,7 +143,8 @@ private:
         if (!edits.equivalent)
             edits.equivalent = alike_in_words_of_pair(texts, languages) ||
                                alike_without_order_of_cases(texts, languages) ||
-                               alike_in_ends_of_items(texts, languages) || alike_in_one_part(by_parts, languages);
+                               alike_in_ends_of_items(texts, languages) || alike_in_one_part(by_parts, languages) ||
+                               alike_in_statements_of_pair(texts, languages);
         if (std::string said = surely_differs(texts, structs ? nullptr : &by_parts); !said.empty()) {
             edits.differences.insert(edits.differences.begin(), std::move(said));
             edits.equivalent = false;
@@ -231,6 +233,14 @@ private:
         const auto words = [&](size_t i) { return Words(texts_now[i].begin(), texts_now[i].end()); };
         const Words before = words(0), now = words(1), there = words(2), there_now = words(3);
         return compare_edits({before, now, there, there_now}, dialect_, languages).equivalent;
+    }
+
+    /// True if the edits are one where statements are said as the pair says all others that differ from them in a name.
+    bool alike_in_statements_of_pair(const PairTexts& texts, const BySide<Language>& languages) const {
+        const PatternedTexts said = in_statements_of_target(texts, dialect_);
+        if (!said.any) return false;
+        const Words before(said.before.begin(), said.before.end()), now(said.now.begin(), said.now.end());
+        return are_alike({before, now, texts.target_before, texts.target_now}, languages);
     }
 
     /// An edit of one side alone that says what the other side says. Beside the text, how the file declares what the

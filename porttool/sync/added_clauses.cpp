@@ -8,6 +8,7 @@
 
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_text.h"
+#include "porttool/sync/device_wait.h"
 #include "porttool/sync/operands.h"
 #include "porttool/sync/port_manner.h"
 
@@ -23,18 +24,58 @@ public:
         for (size_t c = 0; c < origin_.size();) {
             size_t end = c;
             while (end < origin_.size() && origin_[end] == kNothing) ++end;
-            if (end > c) add(c, end);
+            if (end > c) add_run(c, end);
             c = std::max(end, c + 1);
         }
         return std::move(sources_);
     }
 
 private:
-    void add(size_t first, size_t end) {
+    /// Which neighbour new clauses go with, where the port has statements of its own between the two.
+    enum class Beside : uint8_t { Either, Left, Right };
+    struct NewClauses {
+        size_t first, end;             ///< of the source's new text
+        size_t was_before, was_after;  ///< their neighbours in its old one
+        Beside beside = Beside::Either;
+    };
+
+    void add_run(size_t first, size_t end) {
         const size_t was_before = first == 0 ? kNothing : origin_[first - 1];
         const size_t was_after = end == origin_.size() ? kNothing : origin_[end];
-        const size_t left = was_before == kNothing ? kNothing : target_before(was_before);
-        const size_t right = was_after == kNothing ? kNothing : target_after(was_after);
+        const size_t cut = end_of_paragraph(first, end);
+        if (cut == end || !has_own_between(was_before, was_after)) return add({first, end, was_before, was_after});
+        add({first, cut, was_before, was_after, Beside::Left});
+        add({cut, end, was_before, was_after, Beside::Right});
+    }
+
+    /// Where the last empty line among new clauses parts them, if none stands around them; `end` for none.
+    size_t end_of_paragraph(size_t first, size_t end) const {
+        if (starts_paragraph(first) || starts_paragraph(end)) return end;
+        for (size_t c = end - 1; c > first; --c)
+            if (starts_paragraph(c) && now(c).inside == now(first).inside && !now(c).closes) return c;
+        return end;
+    }
+
+    bool has_own_between(size_t was_before, size_t was_after) const {
+        if (was_before == kNothing || was_after == kNothing) return false;
+        const size_t left = counterpart(was_before), right = counterpart(was_after);
+        if (left == kNothing || right == kNothing || right <= left) return false;
+        for (size_t c = left + 1; c < right; ++c)
+            if (!stands_for_something(c)) return true;
+        return false;
+    }
+
+    void add(const NewClauses& run) {
+        const auto [first, end, was_before, was_after, beside] = run;
+        size_t left = was_before == kNothing ? kNothing : target_before(was_before);
+        size_t right = was_after == kNothing ? kNothing : target_after(was_after);
+        if (left != kNothing && right != kNothing && right <= left) {
+            // A launch has its place, whatever else stands in another order.
+            if (launch_ending(was_before) != nullptr)
+                right = kNothing;
+            else if (launch_beginning(was_after) != nullptr)
+                left = kNothing;
+        }
         const std::string what = shown(texts_.now.words, now(first).first, now(end - 1).end);
         size_t close = now(first).opens ? place_around(was_before, was_after) : place_beside(was_before, was_after);
         const auto give_up = [&](const std::string& why) {
@@ -56,15 +97,21 @@ private:
             return give_up("the port has one of its neighbours within another statement");
         // What the port has of its own between the two neighbours.
         std::vector<size_t> own;
-        const size_t from = left == kNothing ? own_start(right) : left + 1;
+        size_t from = left == kNothing ? own_start(right) : left + 1;
         const size_t to = right == kNothing ? own_end(left) : right;
+        const bool beside_left =
+            left != kNothing && (counterpart(was_before) == left || launch_ending(was_before) != nullptr);
+        if (left != kNothing && take_wait(from, to, clauses)) {
+            left = from++;
+            if (clauses.empty()) return;
+        }
         for (size_t c = from; c < to; ++c)
             if (!stands_for_something(c)) own.push_back(c);
         if (!own.empty() && drop_those_there(own, clauses)) {
             if (clauses.empty()) return;
             return give_up("the port has a part of it already");
         }
-        std::optional<size_t> place = place_among(left, right, own, clauses, was_before, was_after);
+        std::optional<size_t> place = place_among(left, right, own, clauses, beside_left, run);
         if (!place) {
             close = last_that_names(own, clauses, close);
             return give_up("the port has statements of its own there, and which comes first matters");
@@ -76,6 +123,12 @@ private:
                 "told");
         if (follows_own_directive(*place, was_before))
             return give_up("the port has a directive there, which would govern it");
+        if (is_on_device(*place, was_before, was_after))
+            return give_up("the port has one of its neighbours in what it hands to the device");
+        if (parts_from_last(first, *place))
+            return give_up("what the source does between this and what it gained before has no counterpart there");
+        if (clock_may_run_ahead(clauses, *place, was_before))
+            return give_up("the port does not wait there for what it started");
         if (leaves_loop(first, end, *place))
             return give_up("the port has a loop of its own around it, which it would leave");
         std::vector<std::string> unknown;
@@ -102,6 +155,7 @@ private:
     /// A word of the target near where what comes between two clauses of the source's old text would stand.
     size_t place_beside(size_t was_before, size_t was_after) const {
         if (was_before == kNothing) return 0;
+        if (const LaunchPair* launch = launch_ending(was_before)) return target(launch->there.last).end - 1;
         if (counterpart(was_before) != kNothing) return target(counterpart(was_before)).end - 1;
         if (was_after != kNothing && counterpart(was_after) != kNothing) return target(counterpart(was_after)).first;
         return near(was_before);
@@ -131,29 +185,57 @@ private:
         return names;
     }
 
+    /// The same but for those of a wait for the device: among what starts nothing there that may stand anywhere.
+    std::set<std::string> names_beside(const std::vector<size_t>& own, std::vector<ClauseAdded> clauses) const {
+        const std::vector<Launch> launches = launches_in(texts_.target);
+        const bool starts_any = std::any_of(own.begin(), own.end(), [&](size_t c) {
+            return std::any_of(launches.begin(), launches.end(), [&](const Launch& one) { return one.first == c; });
+        });
+        if (!starts_any) std::erase_if(clauses, [&](const ClauseAdded& clause) { return waits(clause.source); });
+        return names_of(clauses);
+    }
+
     /// The counterpart of the nearest clause at or before c that has one, within the block that c stands in.
     size_t target_before(size_t c) const {
-        while (counterpart(c) == kNothing) {
+        for (;;) {
+            if (const LaunchPair* launch = launch_ending(c)) return launch->there.last;
+            if (counterpart(c) != kNothing) return counterpart(c);
             if (before(c).opens || c == 0) return kNothing;
             const size_t from = before(c).closes && before(c).partner != Clause::kNone ? before(c).partner : c;
             if (from == 0) return kNothing;
             c = from - 1;
         }
-        return counterpart(c);
     }
 
     size_t target_after(size_t c) const {
-        while (counterpart(c) == kNothing) {
+        for (;;) {
+            if (const LaunchPair* launch = launch_beginning(c)) return launch->there.first;
+            if (counterpart(c) != kNothing) return counterpart(c);
             if (before(c).closes) return kNothing;
             const size_t from = before(c).opens && before(c).partner != Clause::kNone ? before(c).partner : c;
             if (from + 1 >= texts_.before.clauses.size()) return kNothing;
             c = from + 1;
         }
-        return counterpart(c);
+    }
+
+    /// A launch that the port writes otherwise, and that ends, or begins, with a clause of the source's old text.
+    const LaunchPair* launch_ending(size_t c) const {
+        return launch_where([c](const LaunchPair& launch) { return launch.here.last == c; });
+    }
+    const LaunchPair* launch_beginning(size_t c) const {
+        return launch_where([c](const LaunchPair& launch) { return launch.here.first == c; });
+    }
+    template <class Holds>
+    const LaunchPair* launch_where(const Holds& holds) const {
+        const auto found = std::find_if(texts_.launches.begin(), texts_.launches.end(), holds);
+        return found == texts_.launches.end() ? nullptr : &*found;
     }
 
     /// True if the nearest block around a place that stands for one of the source's stands for `block`.
     bool is_in_counterpart(size_t block, size_t place) const {
+        while (block != Clause::kNone && counterpart(block) == kNothing &&
+               only_holds_data(texts_.before, before(block)))
+            block = before(block).inside;
         size_t there = block_at(place);
         while (there != Clause::kNone && !stands_for_something(there)) there = target(there).inside;
         // Blocks of the source that came with the edit, or that the port never had, are passed over as well.
@@ -189,15 +271,17 @@ private:
         const bool is_beside = (before_it != kNothing && target(before_it).end == place) ||
                                (after_it != kNothing && target(after_it).first == place);
         if (!is_beside) return false;
-        for (size_t c = block_at(place); c != Clause::kNone && !stands_for_something(c); c = target(c).inside) {
-            const auto word = [&](size_t i) {
-                return target(c).first + i < target(c).end ? texts_.target.words[target(c).first + i] : std::string();
-            };
-            const bool is_bare = word(0) == "{";
-            const bool holds_data = word(0) == "#" && word(2) == "omp" && word(3) == "target" && word(4) == "data";
-            if (!is_bare && !holds_data) return false;
-        }
+        for (size_t c = block_at(place); c != Clause::kNone && !stands_for_something(c); c = target(c).inside)
+            if (!only_holds_data(texts_.target, target(c))) return false;
         return true;
+    }
+
+    static bool only_holds_data(const AlignedText& text, const Clause& head) {
+        const auto word = [&](size_t i) {
+            return head.first + i < head.end ? std::string_view(text.words[head.first + i]) : std::string_view();
+        };
+        const bool holds_data = word(0) == "#" && word(2) == "omp" && word(3) == "target" && word(4) == "data";
+        return word(0) == "{" || holds_data;
     }
 
     /// The head of the block of the target that a place is in.
@@ -206,6 +290,68 @@ private:
         while (c < texts_.target.clauses.size() && target(c).first < place) ++c;
         if (c == texts_.target.clauses.size()) return Clause::kNone;
         return target(c).closes ? target(c).partner : target(c).inside;
+    }
+
+    /// True for a place in what the port hands to a device, where the source's is in nothing of that kind.
+    bool is_on_device(size_t place, size_t was_before, size_t was_after) const {
+        const std::vector<Launch> there = launches_in(texts_.target), here = launches_in(texts_.before);
+        const bool is_in = std::any_of(there.begin(), there.end(), [&](const Launch& one) {
+            return target(one.first).end <= place && place <= target(one.last).first && one.first != one.last;
+        });
+        const bool was_in = std::any_of(here.begin(), here.end(), [&](const Launch& one) {
+            return (was_before != kNothing && one.first <= was_before && was_before < one.last) ||
+                   (was_after != kNothing && one.first < was_after && was_after <= one.last);
+        });
+        return is_in && !was_in;
+    }
+
+    /// True if what came last goes to the same place, and the source calls something between the two for which the port
+    /// has nothing: it may do that elsewhere, before one of them or after.
+    bool parts_from_last(size_t first, size_t place) const {
+        if (out_.added.empty() || out_.added.back().before != place || out_.added.back().clauses.empty()) return false;
+        for (size_t c = out_.added.back().clauses.back().source + 1; c < first; ++c) {
+            if (origin_[c] == kNothing || now(c).opens || now(c).closes || counterpart(origin_[c]) != kNothing)
+                continue;
+            for (size_t i = now(c).first; i + 1 < now(c).end; ++i)
+                if (is_name(texts_.now.words[i]) && is_one_of(texts_.now.words[i + 1], {"(", "<"})) return true;
+        }
+        return false;
+    }
+
+    /// True for new clauses that ask a clock right behind a launch of the port which goes on before its work is done,
+    /// where the source has no such launch.
+    bool clock_may_run_ahead(const std::vector<ClauseAdded>& clauses, size_t place, size_t was_before) const {
+        const bool waits_first = waits(clauses.front().source);
+        if (waits_first || !goes_on_behind_launch(texts_.target, clause_ending(place))) return false;
+        if (was_before != kNothing && goes_on_behind_launch(texts_.before, was_before)) return false;
+        return std::any_of(clauses.begin(), clauses.end(), [&](const ClauseAdded& clause) {
+            for (size_t i = 0; i + 1 < clause.words.size(); ++i)
+                if (clause.words[i + 1].text == "(" && asks_clock(clause.words[i].text)) return true;
+            return false;
+        });
+    }
+
+    size_t clause_ending(size_t place) const {
+        for (size_t c = 0; c < texts_.target.clauses.size(); ++c)
+            if (target(c).end == place) return c;
+        return kNothing;
+    }
+
+    /// True if a clause ends a launch that nobody waits for, or a block that ends with one.
+    static bool goes_on_behind_launch(const AlignedText& text, size_t clause) {
+        if (clause == kNothing) return false;
+        const std::vector<Launch> launches = launches_in(text);
+        const auto ends = [&](size_t c) {
+            return std::any_of(launches.begin(), launches.end(),
+                               [&](const Launch& one) { return one.last == c && !one.waits; });
+        };
+        while (!ends(clause) && clause > 0 && text.clauses[clause].closes) --clause;
+        return ends(clause);
+    }
+
+    static bool asks_clock(std::string_view function) {
+        return is_one_of(function, {"now", "clock", "time", "clock_gettime", "gettimeofday", "get_time",
+                                    "omp_get_wtime", "getTime"});
     }
 
     /// True if new clauses end what is around them, and that is a loop which the port alone has.
@@ -255,6 +401,7 @@ private:
             if (is_name(texts_.now.words[i])) names[texts_.now.words[i]] |= uses_.may_write_now(i);
         const auto shares = [&](size_t c) {
             const Clause& clause = before(c);
+            if (launch_ending(c) != nullptr || launch_beginning(c) != nullptr) return false;
             if (counterpart(c) != kNothing || clause.closes || clause.opens || texts_.edit.clause_of[c] == kNothing)
                 return false;
             // What the source gives back the port may hand back through a reference.
@@ -315,6 +462,18 @@ private:
         return out;
     }
 
+    /// Drops the wait for a device that new clauses begin with, where the port waits there itself; true if it does.
+    bool take_wait(size_t from, size_t to, std::vector<ClauseAdded>& clauses) {
+        if (from >= to || !waits(clauses.front().source) ||
+            !says(target(from).first, target(from).end, clauses.front().words))
+            return false;
+        clauses.erase(clauses.begin());
+        ++out_.already;
+        return true;
+    }
+
+    bool waits(size_t is) const { return waits_for_device(texts_.now.words, now(is).first, now(is).end); }
+
     /// Drops clauses that stand among the target's own; true if any does.
     bool drop_those_there(const std::vector<size_t>& own, std::vector<ClauseAdded>& clauses) {
         const size_t all = clauses.size();
@@ -348,16 +507,18 @@ private:
     /// Before which word of the target new clauses go, between the counterparts of their neighbours; none if the order
     /// among the port's own clauses there matters.
     std::optional<size_t> place_among(size_t left, size_t right, const std::vector<size_t>& own,
-                                      const std::vector<ClauseAdded>& clauses, size_t was_before,
-                                      size_t was_after) const {
+                                      const std::vector<ClauseAdded>& clauses, bool beside_left,
+                                      const NewClauses& run) const {
+        const size_t was_before = run.was_before, was_after = run.was_after;
         if (own.empty()) return left != kNothing ? target(left).end : target(right).first;
-        const bool beside_left = left != kNothing && counterpart(was_before) == left;
-        const bool beside_right = right != kNothing && counterpart(was_after) == right;
+        const bool behind_launch = was_before != kNothing && launch_ending(was_before) != nullptr;
+        const bool before_launch = was_after != kNothing && launch_beginning(was_after) != nullptr;
+        const bool beside_right = right != kNothing && (counterpart(was_after) == right || before_launch);
         if (!beside_left && !beside_right) return std::nullopt;
         // Behind a `return` of the port's own nothing would run.
         if (beside_left && own[0] == left + 1 && texts_.target.words[target(own[0]).first] == "return")
             return target(own[0]).first;
-        const std::set<std::string> names = names_of(clauses);
+        const std::set<std::string> names = names_beside(own, clauses);
         for (const size_t c : own)
             for (size_t i = target(c).first; i < target(c).end; ++i)
                 if (names.contains(texts_.target.words[i])) return std::nullopt;
@@ -368,8 +529,11 @@ private:
             std::none_of(own.begin(), own.end(), [&](size_t c) { return target(c).opens || target(c).closes; });
         const bool begins_paragraph =
             starts_paragraph(clauses.front().source) && !starts_paragraph(clauses.back().source + 1);
-        return beside_left && !((goes_around || begins_paragraph) && beside_right) ? target(left).end
-                                                                                   : target(right).first;
+        // What the port prepares a launch by comes before what the source does right before it.
+        const bool goes_right =
+            run.beside == Beside::Right ||
+            (run.beside != Beside::Left && (goes_around || begins_paragraph || (before_launch && !behind_launch)));
+        return beside_left && !(goes_right && beside_right) ? target(left).end : target(right).first;
     }
 
     const InsertedUses& uses_;

@@ -53,6 +53,7 @@ private:
         const std::vector<Hunk> hunks = words_.hunks_of(before(was), now(is));
         if (std::all_of(hunks.begin(), hunks.end(), [&](const Hunk& hunk) { return is_renaming(hunk); })) return;
         const size_t there = counterpart(was);
+        if (only_names_extents(was, is, there)) return;
         if (there != kNothing && is_said_more_often(was, there))
             return leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
                              shown(texts_.before.words, before(was).first, before(was).end) +
@@ -92,6 +93,22 @@ private:
                              shown(texts_.before.words, before(was).first, before(was).end) + "`; " + why,
                          now(is).first, target(there).first);
         words_.change_words(hunks, was, is, there);
+    }
+
+    /// True for a launch that says how many threads it is for with `dim3 ( n )` or with `n`, as it did not before, of
+    /// which the port says nothing.
+    bool only_names_extents(size_t was, size_t is, size_t there) const {
+        const std::vector<std::string>& words = texts_.before.words;
+        const Clause &old = before(was), &clause = now(is);
+        const auto says_extent = [](const std::vector<std::string>& text, const Clause& one) {
+            return std::find(text.begin() + static_cast<std::ptrdiff_t>(one.first),
+                             text.begin() + static_cast<std::ptrdiff_t>(one.end),
+                             "dim3") != text.begin() + static_cast<std::ptrdiff_t>(one.end);
+        };
+        return (says_extent(words, old) || says_extent(texts_.now.words, clause)) &&
+               (there == kNothing || !says_extent(texts_.target.words, target(there))) &&
+               with_plain_extents(words, old.first, old.end) ==
+                   with_plain_extents(texts_.now.words, clause.first, clause.end);
     }
 
     /// Statements that changed side by side, and that the port has nothing for at one place, are one item.

@@ -199,6 +199,10 @@ void Examples::learn(const AlignedText& source, const AlignedText& target, const
                 if (last == first || is_bound(source.words[end - 1]) || !stands_alone(source.words, i, end) ||
                     !stands_alone(target.words, first, last))
                     continue;
+                // A parameter of the port's own is no part of how the next one is said.
+                if (lists_several(joined(target.words, first, last)) && !lists_several(joined(source.words, i, end)) &&
+                    c == 0)
+                    continue;
                 const std::vector<std::string> said(target.words.begin() + static_cast<std::ptrdiff_t>(first),
                                                     target.words.begin() + static_cast<std::ptrdiff_t>(last));
                 if (end - i > 1 && said.size() == end - i && !same_operators(source.words, i, end, target.words, first))
@@ -276,64 +280,6 @@ void Examples::learn_statements(const AlignedText& source, const AlignedText& ta
         for (size_t i = 0; i < places.size(); ++i)
             note(source, here.first, here.end - 1, target, first.first, first.end - 1);
     }
-}
-
-namespace {
-
-constexpr size_t kLongestPattern = 24;  ///< words
-constexpr size_t kFewestNames = 3;      ///< that tell a pattern
-
-/// A statement with nothing in the place of one word; "" where the word stands there twice.
-std::string without_word(const std::vector<std::string>& words, size_t first, size_t end, const std::string& name) {
-    if (std::count(words.begin() + static_cast<std::ptrdiff_t>(first), words.begin() + static_cast<std::ptrdiff_t>(end),
-                   name) != 1)
-        return {};
-    std::vector<std::string> out(words.begin() + static_cast<std::ptrdiff_t>(first),
-                                 words.begin() + static_cast<std::ptrdiff_t>(end));
-    std::replace(out.begin(), out.end(), name, std::string());
-    return joined(out, 0, out.size());
-}
-
-std::vector<std::string> parted(const std::string& text) {
-    std::vector<std::string> out;
-    for (size_t i = 0; i < text.size();) {
-        const size_t cut = text.find('\x1f', i);
-        out.push_back(text.substr(i, cut - i));
-        i = cut + 1;
-    }
-    return out;
-}
-
-}  // namespace
-
-void Examples::learn_patterns(const AlignedText& source, const AlignedText& target, const Alignment& alignment) {
-    for (size_t c = 1; c < source.clauses.size(); ++c) {
-        if (alignment.clause_of[c] == Alignment::kNone) continue;
-        const Clause &here = source.clauses[c], &there = target.clauses[alignment.clause_of[c]];
-        if (here.opens || here.closes || here.size() > kLongestPattern || there.size() > kLongestPattern) continue;
-        for (size_t i = here.first; i < here.end; ++i) {
-            const std::string& name = source.words[i];
-            if (!is_name(name) || word_is(name, kKeyword)) continue;
-            const std::string statement = without_word(source.words, here.first, here.end, name),
-                              said = without_word(target.words, there.first, there.end, name);
-            if (!statement.empty() && !said.empty() && statement != said) patterns_[statement][said].insert(name);
-        }
-    }
-}
-
-Examples::Pattern Examples::pattern(const std::vector<std::string>& words, size_t first, size_t end) const {
-    Pattern out;
-    if (end - first > kLongestPattern || end == first || words[end - 1] != ";") return out;
-    for (size_t i = first; i < end; ++i) {
-        if (!is_name(words[i])) continue;
-        const auto found = patterns_.find(without_word(words, first, end, words[i]));
-        if (found == patterns_.end() || found->second.size() != 1) continue;
-        const auto& [said, names] = *found->second.begin();
-        if (names.size() < kFewestNames) continue;
-        if (!out.target.empty()) return {};
-        out = {i, parted(said)};
-    }
-    return out;
 }
 
 bool Examples::is_said_variously(const std::string& word) const {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "porttool/compare/alignment.h"
+#include "porttool/compare/statement_patterns.h"
 
 namespace porttool {
 
@@ -34,19 +35,14 @@ public:
     /// `in_head`: of a function's head, where an address space may be another one than in a body.
     Phrase longest(const std::vector<std::string>& words, size_t at, size_t end, bool in_head = false) const;
 
-    /// Takes statements that say the same of one name each, however else they say it: where `a ( job ) ;`,
-    /// `b ( job ) ;` and `c ( job ) ;` are `each < a > ( n ) ;` and so on, `d ( job ) ;` is `each < d > ( n ) ;`.
-    void learn_patterns(const AlignedText& source, const AlignedText& target, const Alignment& alignment);
+    /// Takes statements that say the same of one name each.
+    void learn_patterns(const AlignedText& source, const AlignedText& target, const Alignment& alignment) {
+        patterns_.learn(source, target, alignment);
+    }
+    const StatementPatterns& patterns() const { return patterns_; }
 
     /// Takes what a unit and its port are called: names that tell of their parts as all others do.
     void learn_name(const std::string& source, const std::string& target) { note_part(source, target); }
-
-    /// Such a statement as the target says it.
-    struct Pattern {
-        size_t name = 0;                  ///< the word of the source that it is about
-        std::vector<std::string> target;  ///< "" in the place of the name; none if nothing is known
-    };
-    Pattern pattern(const std::vector<std::string>& words, size_t first, size_t end) const;
 
     /// True for a phrase that the target says in several ways, however often each.
     bool is_said_variously(const std::string& word) const;
@@ -88,8 +84,7 @@ private:
         size_t all = 0;
     };
     std::unordered_map<std::string, Said> phrases_;  ///< by the source's words
-    /// By the source's statement without its name, and the target's: the names.
-    std::map<std::string, std::map<std::string, std::set<std::string>>> patterns_;
+    StatementPatterns patterns_;
     /// How names begin, by the source; which of its names say so.
     std::map<std::string, std::map<std::string, std::set<std::string>>, std::less<>> begins_;
     /// Parts of names that are another one there in a name that is the same but for it; which of its names say so.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 
 #include "porttool/language/words.h"
@@ -19,6 +20,14 @@
 namespace porttool {
 namespace {
 
+/// True for a name of one of the libraries that CUDA comes with.
+bool is_of_library(std::string_view word) {
+    constexpr std::array<std::string_view, 9> kLibraries = {"cublas", "cufft",    "curand",  "cusparse", "cusolver",
+                                                            "cudnn",  "cutensor", "cutlass", "curtc"};
+    return std::any_of(kLibraries.begin(), kLibraries.end(),
+                       [&](std::string_view library) { return word.starts_with(library); });
+}
+
 /// How a word begins that belongs to one language's run time; "" for others. Of what begins with few letters, the rest
 /// has to look like it: `cuInit` and `cublasCreate`, and not `current` and `cubic`.
 std::string_view runtime_of(std::string_view word) {
@@ -26,11 +35,7 @@ std::string_view runtime_of(std::string_view word) {
                                                         "CL_",  "cl_",  "omp_", "__"};
     for (const std::string_view begin : kBegin)
         if (word.starts_with(begin)) return begin;
-    constexpr std::array<std::string_view, 9> kLibraries = {"cublas", "cufft",    "curand",  "cusparse", "cusolver",
-                                                            "cudnn",  "cutensor", "cutlass", "curtc"};
-    const bool is_of_library = std::any_of(kLibraries.begin(), kLibraries.end(),
-                                           [&](std::string_view library) { return word.starts_with(library); });
-    if (is_of_library) return "cu";
+    if (is_of_library(word)) return "cu";
     if (word == "cub") return "cub";
     for (const std::string_view begin : {"cu", "rt"})
         if (word.starts_with(begin) && word.size() > begin.size() && is_capital_letter(word[begin.size()]))
@@ -102,14 +107,23 @@ void add_identifiers(const LexedText& lexed, TokenRange range, SideWords::Words&
         if (lexed.tokens[i].kind == TokenKind::Identifier) words.insert(lexed.view(i));
 }
 
+/// True for `std`, `chrono` and `seconds` of `std :: chrono :: seconds`, which is used there and not declared.
+bool is_in_scope(const LexedText& lexed, uint32_t i) {
+    return (i > 0 && lexed.view(i - 1) == "::") || (i + 1 < lexed.tokens.size() && lexed.view(i + 1) == "::");
+}
+
 /// The words of a struct, but for what is defined within it.
 void add_members(const LexedText& lexed, const Unit& record, SideWords::Words& words) {
     uint32_t at = record.tokens.first;
+    const auto add_until = [&](uint32_t end) {
+        for (; at < end; ++at)
+            if (lexed.tokens[at].kind == TokenKind::Identifier && !is_in_scope(lexed, at)) words.insert(lexed.view(at));
+    };
     for (const TokenRange& hole : record.holes) {
-        add_identifiers(lexed, {at, hole.first}, words);
+        add_until(hole.first);
         at = hole.end;
     }
-    add_identifiers(lexed, {at, record.tokens.end}, words);
+    add_until(record.tokens.end);
 }
 
 }  // namespace
@@ -218,7 +232,7 @@ const SideWords::Words& SideWords::declared() const {
 }
 
 KnownWords::KnownWords(const WordsOfSide& from, const WordsOfSide& to, const Dialect& dialect)
-    : from_(from), to_(to), dialect_(dialect) {
+    : from_(from), to_(to), dialect_(dialect), launches_(launch_manner(to.edited)) {
     SideWords::add_known(to.edited, file_words_);
     const LexedText& lexed = to.edited.lexed;
     for (uint32_t i = 0; i + 1 < lexed.tokens.size(); ++i)
@@ -319,7 +333,7 @@ bool KnownWords::names_one_side(std::string_view literal) const {
     };
     constexpr size_t kShortest = 3;
     for (const std::string& word : small_words_of(literal)) {
-        const bool is_platform = kPlatforms.find(" " + word + " ") != std::string_view::npos;
+        const bool is_platform = kPlatforms.find(" " + word + " ") != std::string_view::npos || is_of_library(word);
         if (word.size() >= kShortest && !has(there, word) && (is_platform || has(here, word))) return true;
     }
     return false;
@@ -342,6 +356,28 @@ std::string KnownWords::in_sister_runtime(std::string_view word) const {
                            [&](std::string_view name) { return is_of(name, begin); });
     };
     return has(there) && !has(here) ? std::string(there) + std::string(word.substr(here.size())) : std::string();
+}
+
+std::vector<std::string> KnownWords::scope_of_builtins(const std::vector<std::string>& words) const {
+    std::optional<std::vector<std::string>> scope;
+    for (size_t i = 1; i + 1 < words.size(); ++i) {
+        if (words[i + 1] != "(" || !is_word_token(words[i]) || is_one_of(words[i - 1], {".", "->"}) ||
+            !is_builtin(words[i]))
+            continue;
+        size_t first = i;
+        while (first > 1 && words[first - 1] == "::" && is_word_token(words[first - 2])) first -= 2;
+        std::vector<std::string> one(words.begin() + static_cast<std::ptrdiff_t>(first),
+                                     words.begin() + static_cast<std::ptrdiff_t>(i));
+        if (one.empty() || (scope && *scope != one)) return {};
+        scope = std::move(one);
+    }
+    return scope.value_or(std::vector<std::string>());
+}
+
+bool KnownWords::is_builtin(const std::string& word) const {
+    const std::string* meaning = dialect_.meaning(word);
+    return meaning != nullptr && !meaning->empty() && !is_type_word(word) && roles_of(word) == 0 &&
+           !is_declared_there(word);
 }
 
 /// True if the target's file has words of that run time.

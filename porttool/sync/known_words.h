@@ -11,6 +11,7 @@
 
 #include "porttool/language/dialect.h"
 #include "porttool/scan/unit.h"
+#include "porttool/sync/launch_manner.h"
 
 namespace porttool {
 
@@ -138,8 +139,14 @@ public:
     /// True for a constant that neither side declares, of a family whose others both files have under one name: with
     /// `GGML_OP_NORM` and `GGML_OP_ADD` in both, `GGML_OP_SUB` is from where these are.
     bool is_of_shared_family(std::string_view word) const;
+    /// The scope that words of the target call every built-in in, as `sycl ::`; none where they call one otherwise.
+    std::vector<std::string> scope_of_builtins(const std::vector<std::string>& words) const;
+    /// True for a function that languages have of themselves, which no file of the target declares.
+    bool is_builtin(const std::string& word) const;
     /// True if any file of the side has it, or both sides have it from elsewhere.
     bool anywhere(std::string_view word) const;
+    /// How the target's file starts kernels.
+    const LaunchManner& launches() const { return launches_; }
     bool are_of_one_language() const { return from_.edited.language == to_.edited.language; }
 
 private:
@@ -155,6 +162,7 @@ private:
 
     WordsOfSide from_, to_;
     const Dialect& dialect_;
+    LaunchManner launches_;
     SideWords::Words file_words_, called_, parameters_;
     SideWords::ByMeaning by_meaning_;             ///< of the edited file
     mutable std::set<std::string_view> shouted_;  ///< constants that both files have and neither side declares

@@ -128,6 +128,7 @@ struct PairCarrier::Texts : Places {
     UnitWords there, was, is;
     AlignedText old_text, new_text, port_text;
     Alignment edit, across;
+    std::vector<LaunchPair> launches;
     Examples examples;
 
     Texts(const Places& places, const PairEdit& one, const CalledForms& called, WordKeys keys)
@@ -145,6 +146,7 @@ struct PairCarrier::Texts : Places {
         match_block_ends(old_text, new_text, edit);
         match_only_clauses(old_text, new_text, edit);
         match_calls(old_text, new_text, edit);
+        launches = paired_launches(old_text, port_text, across);
     }
 
     ToldPlaces places() const {
@@ -238,7 +240,7 @@ Transplant PairCarrier::transplanted(const PairEdit& edit, const Texts& texts, K
     const bool is_method = !class_of(port).empty();
     UnitSurroundings around{!runs_on_device(file, texts.unit), is_method,
                             is_method && leaf_of(class_of(port)) == leaf_of(class_of(texts.unit)),
-                            device_wait(texts.there.words, texts.other)};
+                            device_wait(texts.there.words, texts.other), known.scope_of_builtins(texts.there.words)};
     read_earlier_file(edit, texts, around);
     const auto written = [&](size_t i) {
         return is.words[i] == "@" || is.is_added(i) ? is.words[i] : std::string(file.lexed.view(is.tokens[i]));
@@ -251,7 +253,8 @@ Transplant PairCarrier::transplanted(const PairEdit& edit, const Texts& texts, K
                          texts.across,
                          knowledge_.hands_back(edit.from),
                          knowledge_.hands_back(edit.to()),
-                         paragraphs};
+                         paragraphs,
+                         texts.launches};
     Transplant found;
     // What uses a new name can only be carried with what declares it.
     std::map<size_t, std::string> first_reasons;  // later ones may only be that a name is not declared any more
@@ -361,6 +364,14 @@ void PairCarrier::finish(const PairEdit& edit, const Texts& texts, const Transpl
         leave_where("`" + name + "`", "the port's `" + name + "` is a template, which takes arguments");
     for (const std::string& name : names_lost(scanned, old_words, new_words))
         leave_where("`" + name + "`", "the port would use `" + name + "` where it does not declare it");
+    if (std::string why = gives_back_as_before(old_words, new_words); !why.empty()) {
+        const auto given = std::find(old_words.begin(), old_words.end(), "return");
+        out.left.push_back(
+            left_at(edit.from, std::move(why), places.first_edit(found).first,
+                    line_at(draft.scanned, texts.there, static_cast<size_t>(given - old_words.begin()))));
+    }
+    if (const std::string word = doubled_qualifier(old_words, new_words); !word.empty())
+        return refuse("the port would say `" + word + "` twice there");
     const UnitState state = unit_state(scanned, *unit);
     const bool to_target = edit.to() == Side::Target;
     const NormalText &source = to_target ? pair.unit.source->text : state.text,

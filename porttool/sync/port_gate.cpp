@@ -7,11 +7,13 @@
 #include <string_view>
 
 #include "porttool/compare/alike_spots.h"
+#include "porttool/compare/clauses.h"
 #include "porttool/compare/grouping.h"
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/own_words.h"
 #include "porttool/compare/settled_edits.h"
 #include "porttool/compare/switch_cases.h"
+#include "porttool/language/words.h"
 #include "porttool/normal/prelude.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/sync/scopes.h"
@@ -107,6 +109,45 @@ std::set<std::string> templates_without_arguments(const ScannedFile& file, const
         if (times_bare(is, name) > times_bare(was, name)) out.insert(std::move(name));
     }
     return out;
+}
+
+std::string gives_back_as_before(const std::vector<std::string>& was, const std::vector<std::string>& is) {
+    const auto gives_nothing = [](const std::vector<std::string>& words) {
+        for (size_t i = 0; i + 1 < words.size() && words[i] != "("; ++i)
+            if (words[i] == "void") return words[i + 1] != "*";
+        return false;
+    };
+    const bool nothing_now = gives_nothing(is);
+    if (gives_nothing(was) == nothing_now) return {};
+    const std::vector<Clause> clauses = clauses_of(is, false);
+    const auto is_in_lambda = [&](size_t c) {
+        for (c = clauses[c].inside; c != Clause::kNone && c != 0; c = clauses[c].inside)
+            for (size_t i = clauses[c].first; i + 1 < clauses[c].end; ++i)
+                if (is[i] == "]" && is_one_of(is[i + 1], {"(", "{", "mutable"})) return true;
+        return false;
+    };
+    for (size_t c = 1; c < clauses.size(); ++c) {
+        const Clause& clause = clauses[c];
+        if (is[clause.first] != "return" || (clause.size() == 2) == nothing_now || is_in_lambda(c)) continue;
+        return nothing_now ? "the port still gives a value back there"
+                           : "the port still gives nothing back there, and came to give a value back";
+    }
+    return {};
+}
+
+std::string doubled_qualifier(const std::vector<std::string>& was, const std::vector<std::string>& is) {
+    const auto doubled = [](const std::vector<std::string>& words) {
+        std::map<std::string_view, size_t> out;
+        for (size_t i = 0; i + 1 < words.size(); ++i)
+            if (words[i] == words[i + 1] && word_is(words[i], kQualifier)) ++out[words[i]];
+        return out;
+    };
+    const std::map<std::string_view, size_t> before = doubled(was);
+    for (const auto& [word, times] : doubled(is)) {
+        const auto known = before.find(word);
+        if (times > (known == before.end() ? 0 : known->second)) return std::string(word);
+    }
+    return {};
 }
 
 bool others_stayed(const ScannedFile& before, const ScannedFile& now, const Unit& edited_before) {

@@ -51,6 +51,12 @@ std::string what_differs(const PairComparison& found);
 std::set<std::string> names_lost(const ScannedFile& file, const std::vector<std::string>& was,
                                  const std::vector<std::string>& is);
 
+/// What a port whose function came to give a value back, or no longer does, still gives back as before; "" for nothing.
+std::string gives_back_as_before(const std::vector<std::string>& was, const std::vector<std::string>& is);
+
+/// A qualifier that stands twice where it stood once, or not at all; "" for none.
+std::string doubled_qualifier(const std::vector<std::string>& was, const std::vector<std::string>& is);
+
 /// True if all units but one are as they were.
 bool others_stayed(const ScannedFile& before, const ScannedFile& now, const Unit& edited_before);
 

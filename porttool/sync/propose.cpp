@@ -124,8 +124,11 @@ private:
             return out;
         };
         const Side changed = edited.source ? Side::Source : Side::Target;
+        // A port of several originals has nothing to follow that changes none of its values.
+        const Side port = other_side(changed);
+        const bool is_alone = counts_[port].at(pair.id[port]) == 1;
         const bool may_follow =
-            found.standing == Standing::Idle && edited.source != edited.target &&
+            found.standing == Standing::Idle && edited.source != edited.target && is_alone &&
             (found.respelled[changed] || differ_in_qualifiers(before[changed], pair.unit[changed]->text));
         if (found.standing <= Standing::Equivalent && !may_follow) return none_is_due();
         Side to = edited.source ? Side::Target : Side::Source;

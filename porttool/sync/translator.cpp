@@ -120,10 +120,69 @@ bool EditTranslator::carry_literal(const std::vector<std::string>& words, size_t
     return true;
 }
 
+bool EditTranslator::carry_launch(const std::vector<std::string>& words, size_t first, size_t end,
+                                  const std::function<std::string(size_t)>& written, CarriedWords& out) const {
+    using Form = LaunchManner::Form;
+    const std::optional<LaunchParts> launch = parts_of_launch(words, first, end);
+    const LaunchManner& manner = known_.launches();
+    if (!launch || manner.form == Form::Unknown || manner.form == launch->form) return false;
+    // What the source has no word for stands for the one behind it.
+    const auto put = [&](std::initializer_list<const char*> texts, size_t from) {
+        for (const char* text : texts) out.words.push_back({text, from});
+    };
+    const auto put_run = [&](LaunchParts::Run run) {
+        CarriedWords part = carry(words, run.first, run.end, written);
+        out.words.insert(out.words.end(), part.words.begin(), part.words.end());
+        out.unknown.insert(out.unknown.end(), part.unknown.begin(), part.unknown.end());
+    };
+    const auto is_wrapped = [&](LaunchParts::Run run) {
+        return words[run.first] == "dim3" && run.end > run.first + 1 && words[run.first + 1] == "(";
+    };
+    const auto is_zero = [&](LaunchParts::Run run) { return run.end == run.first + 1 && words[run.first] == "0"; };
+    constexpr size_t kNone = CarriedWord::kNoSource;
+    size_t behind = launch->kernel.end;
+    if (manner.form == Form::Function) {
+        const bool has_arguments = launch->kernel.end > launch->kernel.first + 1;
+        put({"hipLaunchKernelGGL", "("}, kNone);
+        if (has_arguments) put({"HIP_KERNEL_NAME", "("}, kNone);
+        put_run(launch->kernel);
+        if (has_arguments) put({")"}, behind);
+        for (size_t i = 0; i < LaunchParts::kMostExtents; ++i) {
+            const bool is_said = i < launch->extents.size();
+            const bool wraps = is_said && i < 2 && manner.wraps_extents && !is_wrapped(launch->extents[i]);
+            put({","}, behind);
+            if (wraps) put({"dim3", "("}, behind);
+            if (is_said) {
+                put_run(launch->extents[i]);
+                behind = launch->extents[i].end;
+            } else {
+                put({"0"}, behind);
+            }
+            if (wraps) put({")"}, behind);
+        }
+        if (launch->arguments.end > launch->arguments.first) put({","}, behind);
+    } else {
+        size_t count = launch->extents.size();
+        while (count > 2 && is_zero(launch->extents[count - 1])) --count;
+        put_run(launch->kernel);
+        put({"<", "<", "<"}, behind);
+        for (size_t i = 0; i < count; ++i) {
+            if (i > 0) put({","}, behind);
+            put_run(launch->extents[i]);
+            behind = launch->extents[i].end;
+        }
+        put({">", ">", ">", "("}, behind);
+    }
+    put_run(launch->arguments);
+    put({")"}, end - 2);
+    put({";"}, end - 1);
+    return true;
+}
+
 /// A statement that differs from others of the pair by the name of a unit.
 bool EditTranslator::carry_pattern(const std::vector<std::string>& words, size_t first, size_t end,
                                    CarriedWords& out) const {
-    const Examples::Pattern pattern = pair_.pattern(words, first, end);
+    const StatementPatterns::Said pattern = pair_.patterns().said(words, first, end);
     if (pattern.target.empty()) return false;
     const auto unit = units_.names.find(words[pattern.name]);  // whose name means the same wherever it stands
     if (unit == units_.names.end() || unit->second.size() != 1) return false;
@@ -136,7 +195,7 @@ bool EditTranslator::carry_pattern(const std::vector<std::string>& words, size_t
 CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t first, size_t end,
                                    const std::function<std::string(size_t)>& written) const {
     CarriedWords out;
-    if (carry_pattern(words, first, end, out)) return out;
+    if (carry_pattern(words, first, end, out) || carry_launch(words, first, end, written, out)) return out;
     if (around_.wait && waits_for_device(words, first, end) && pair_.longest(words, first, end).length == 0) {
         for (const std::string& word : *around_.wait) out.words.push_back({word, CarriedWord::kNoSource});
         return out;
@@ -204,6 +263,8 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
                                     : word(words[i], use);
         if (said.empty() && asks_for_macro(words, i) && known_.is_macro_of_build(words[i])) said = words[i];
         if (said.empty()) out.unknown.push_back(words[i]);
+        if (use == Use::Call && !member && !units_.names.contains(words[i]) && known_.is_builtin(said))
+            for (const std::string& word : around_.scope) out.words.push_back({word, CarriedWord::kNoSource});
         out.words.push_back({said.empty() ? words[i] : said, i});
         ++i;
     }

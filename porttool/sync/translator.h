@@ -48,6 +48,7 @@ struct UnitSurroundings {
     bool is_method = false;                         ///< the port is one
     bool is_of_one_class = false;                   ///< both sides' units are methods of classes of one name
     DeviceWait wait = {};                           ///< of the port
+    std::vector<std::string> scope = {};            ///< that the port calls every built-in in: `sycl ::`
     std::set<std::string, std::less<>> fresh = {};  ///< words that its file did not have before the edit
     std::set<std::string, std::less<>> gone = {};   ///< units that its file had before the edit
 };
@@ -123,6 +124,9 @@ private:
     std::string said_in_folder(std::string_view text, Use use) const;
     std::string number(const std::string& written) const;
     bool carry_pattern(const std::vector<std::string>& words, size_t first, size_t end, CarriedWords& out) const;
+    /// Carries a statement that starts a kernel in the form that the target's file has for all its own.
+    bool carry_launch(const std::vector<std::string>& words, size_t first, size_t end,
+                      const std::function<std::string(size_t)>& written, CarriedWords& out) const;
     /// Carries a value of several parts in the target's form, and moves `i` behind it; false if none stands there.
     bool carry_literal(const std::vector<std::string>& words, size_t& i, size_t end,
                        const std::function<std::string(size_t)>& written, CarriedWords& out) const;

@@ -10,6 +10,7 @@
 
 #include "porttool/compare/alignment.h"
 #include "porttool/sync/brace_edits.h"
+#include "porttool/sync/launches.h"
 #include "porttool/sync/local_writes.h"
 #include "porttool/sync/translator.h"
 
@@ -67,6 +68,7 @@ struct EditTexts {
     const Alignment& across;                          ///< before -> target
     const HandsBack &hands_back, &target_hands_back;  ///< of the functions of each side
     const std::set<size_t>& paragraphs;               ///< words of now that an empty line stands before
+    const std::vector<LaunchPair>& launches;          ///< of before, with those of target
 };
 
 /// Carries the source's edit before -> now into the target: each changed word to the words that stand for it there,

@@ -9,6 +9,7 @@
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
+#include "porttool/normal/statements.h"
 #include "porttool/sync/operands.h"
 #include "porttool/sync/text_literals.h"
 
@@ -65,7 +66,8 @@ std::vector<Hunk> WordChanger::hunks_of(const Clause& was, const Clause& is) con
             continue;
         }
         Hunk hunk{i, i, k, k};
-        while (hunk.end < was.end && !kept(hunk.end)) ++hunk.end;
+        // What picks a member of what changed goes with it, where the target has that otherwise.
+        while (hunk.end < was.end && (!kept(hunk.end) || (hunk.end > i && picks_otherwise(hunk.end)))) ++hunk.end;
         hunk.now_end = hunk.end < was.end ? texts_.edit.word_of[hunk.end] : is.end;
         out.push_back(hunk);
         i = hunk.end;
@@ -74,10 +76,16 @@ std::vector<Hunk> WordChanger::hunks_of(const Clause& was, const Clause& is) con
     return out;
 }
 
+bool WordChanger::picks_otherwise(size_t i) const {
+    return is_accessor(texts_.before.words[i]) && word_of(i) != kNothing &&
+           texts_.target.words[word_of(i)] != texts_.before.words[i];
+}
+
 void WordChanger::change_run(Hunk hunk, size_t was, size_t there) {
     if (was == 0 && loses_way_out(hunk))
         return leave_run(hunk, target(there).first, "nothing tells how the port hands a value back so");
     if (is_neutral(hunk)) return respell(hunk);
+    if (is_idle_bracket(hunk)) return;
     if (hunk.first == hunk.end ? insert_run(hunk, was, there)
                                : replace_run(hunk) || drop_elements(hunk) || (was == 0 && drop_parameter(hunk)))
         return;
@@ -317,6 +325,10 @@ bool WordChanger::insert_run(const Hunk& hunk, size_t was, size_t there) {
     } else if (left != hunk.first && right != hunk.first) {
         return false;
     }
+    if (was == 0 && stands_behind_other(hunk, place)) {
+        leave_run(hunk, place, "the port has its parameters in another order");
+        return true;
+    }
     if (was == 0 && initializes_beside_other(hunk)) {
         leave_run(hunk, place, "the port initializes something else there");
         return true;
@@ -347,6 +359,31 @@ size_t WordChanger::end_of_element(size_t first, size_t end) const {
         depth += word == "(" || word == "[" || word == "{" ? 1 : closes ? -1 : 0;
     }
     return kNothing;
+}
+
+bool WordChanger::stands_behind_other(const Hunk& hunk, size_t place) const {
+    const auto parameter_before = [](const std::vector<std::string>& words, size_t i) -> std::string {
+        while (i > 0 && words[i - 1] == ",") --i;
+        return i > 1 && is_name(words[i - 1]) && i < words.size() && is_one_of(words[i], {",", ")"}) ? words[i - 1]
+                                                                                                     : std::string();
+    };
+    const auto are_one = [](const std::string& a, const std::string& b) {
+        const std::string here = folded(a), there = folded(b);
+        return here.starts_with(there) || there.starts_with(here);
+    };
+    const std::string here = parameter_before(texts_.before.words, hunk.first),
+                      there = parameter_before(texts_.target.words, place);
+    if (here.empty() || there.empty() || are_one(here, there)) return false;
+    for (size_t i = 1; i + 1 < target(0).end; ++i)
+        if (is_name(texts_.target.words[i]) && is_one_of(texts_.target.words[i + 1], {",", ")"}) &&
+            are_one(here, texts_.target.words[i]))
+            return true;
+    return false;
+}
+
+bool WordChanger::is_idle_bracket(const Hunk& hunk) const {
+    return hunk.end == hunk.first + 1 && hunk.now_first == hunk.now_end &&
+           is_one_of(texts_.before.words[hunk.first], {"(", ")"}) && word_of(hunk.first) == kNothing;
 }
 
 bool WordChanger::initializes_beside_other(const Hunk& hunk) const {

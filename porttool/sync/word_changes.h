@@ -70,6 +70,13 @@ private:
     /// True for a field that a constructor comes to initialize behind one which the target's does not: it may be
     /// another class's.
     bool initializes_beside_other(const Hunk& hunk) const;
+    /// True for an accessor that the target says otherwise: `aux .` is `aux ->` there, and `aux . set . x` is not.
+    bool picks_otherwise(size_t i) const;
+    /// True for a new parameter that would come behind another one than in the source, which the target has elsewhere
+    /// under the same name or one that begins so.
+    bool stands_behind_other(const Hunk& hunk, size_t place) const;
+    /// True for a parenthesis that went, and that the target never had.
+    bool is_idle_bracket(const Hunk& hunk) const;
     /// True for an edit of words that have no counterpart on the other side, or mean the same there: scopes, address
     /// spaces, spellings.
     bool is_neutral(const Hunk& hunk) const;

@@ -610,7 +610,7 @@ TEST_F(SyncNewUnit, AStatementThatDiffersFromOthersByAFunctionIsSaidAsTheyAre) {
         "    each<second>(pass.count);\n  } else {\n    each<third>(pass.count);\n  }\n}\n";
     start("k.glsl", units + run, "k.cpp", host_units + host_run);
     write(source_path, units + fourth + replaced(run, "    second(job);\n", more));
-    const nlohmann::json all = proposals(1);  // for check asks about a statement that is none of the pair's words
+    const nlohmann::json all = proposals(0);
     apply_all(all);
     EXPECT_NE(target().find(" each<fourth>(pass.count);\n"), std::string::npos) << target();
     EXPECT_EQ(target().find("fourth(job)"), std::string::npos) << target();

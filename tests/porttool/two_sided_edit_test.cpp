@@ -39,6 +39,35 @@ Names rules_of(const nlohmann::json& report) {
     return out;
 }
 
+/// What a stage of three calls, each side says in its own way; `more` comes with a fourth.
+std::string stages(const std::string& call, const std::string& more) {
+    const auto said = [&](const std::string& name) { return replaced(call, "@", name); };
+    return "void f(int stage, int job, int n) { if (stage == 0) { " + said("first") + " } else if (stage == 1) { " +
+           said("second") + " } else if (stage == 2) { " + said("third") + " }" +
+           (more.empty() ? "" : " else if (stage == 3) { " + more + " }") + " }";
+}
+
+TEST(TwoSidedEdit, AStatementIsSaidAsAllOthersThatDifferInANameAre) {
+    const std::string here = "@(job);", there = "each<@>(n);";
+    const BySide<std::string> before{stages(here, ""), stages(there, "")};
+    const auto now = [&](const std::string& source, const std::string& target) {
+        return BySide<std::string>{stages(here, source), stages(there, target)};
+    };
+    const std::vector<TwoSided> rows = {
+        {"the same name", "k.glsl", "k.cpp", before, now("fourth(job);", "each<fourth>(n);"), {}},
+        {"another name", "k.glsl", "k.cpp", before, now("fourth(job);", "each<fifth>(n);"), {"port-differs"}},
+        {"another argument here", "k.glsl", "k.cpp", before, now("fourth(n);", "each<fourth>(n);"), {"port-differs"}},
+        {"another argument there",
+         "k.glsl",
+         "k.cpp",
+         before,
+         now("fourth(job);", "each<fourth>(job);"),
+         {"port-differs"}},
+        {"nothing there", "k.glsl", "k.cpp", before, now("fourth(job);", ""), {"source-changed"}},
+    };
+    for (const TwoSided& row : rows) EXPECT_EQ(rules_of(report_on(row)), row.rules) << row.what;
+}
+
 TEST(TwoSidedEdit, InTheMannerOfEachLanguage) {
     const std::vector<TwoSided> rows = {
         {"HIP's names",

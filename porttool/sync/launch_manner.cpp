@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/sync/launch_manner.h"
+
+#include "porttool/normal/normal_text.h"
+#include "porttool/text/is_one_of.h"
+
+namespace porttool {
+namespace {
+
+constexpr std::string_view kLaunch = "hipLaunchKernelGGL";
+
+/// Where the bracket that opens at `open` closes; `end` for none.
+size_t closing_bracket(const std::vector<std::string>& words, size_t open, size_t end) {
+    int depth = 0;
+    for (size_t i = open; i < end; ++i) {
+        depth += is_one_of(words[i], {"(", "[", "{"}) ? 1 : is_one_of(words[i], {")", "]", "}"}) ? -1 : 0;
+        if (depth == 0) return i;
+    }
+    return end;
+}
+
+/// What commas part outside of brackets.
+std::vector<LaunchParts::Run> parted_by_commas(const std::vector<std::string>& words, size_t first, size_t end) {
+    std::vector<LaunchParts::Run> out{{first, first}};
+    for (size_t i = first; i < end; ++i) {
+        if (is_one_of(words[i], {"(", "[", "{"})) i = closing_bracket(words, i, end);
+        if (i < end && words[i] == ",") {
+            out.back().end = i;
+            out.push_back({i + 1, i + 1});
+        }
+    }
+    out.back().end = end;
+    return out;
+}
+
+bool stand_thrice(const std::vector<std::string>& words, size_t i, size_t end, std::string_view word) {
+    return i + 2 < end && words[i] == word && words[i + 1] == word && words[i + 2] == word;
+}
+
+std::optional<LaunchParts> of_brackets(const std::vector<std::string>& words, size_t first, size_t end) {
+    size_t open = first, close = first;
+    while (open < end && !stand_thrice(words, open, end, "<")) ++open;
+    for (close = open; close < end && !stand_thrice(words, close, end, ">"); ++close) {
+    }
+    const size_t paren = close + 3;
+    if (open == first || paren + 2 >= end || words[paren] != "(" || !is_word_token(words[first])) return std::nullopt;
+    // The name may have arguments of its own: `k < T >`.
+    for (size_t i = first; i < open; ++i)
+        if (!is_word_token(words[i]) && !is_number_token(words[i]) && !is_one_of(words[i], {"<", ">", ",", "::", "*"}))
+            return std::nullopt;
+    if (closing_bracket(words, paren, end) != end - 2) return std::nullopt;
+    LaunchParts out{LaunchManner::Form::Brackets, {first, open}, parted_by_commas(words, open + 3, close), {}};
+    out.arguments = {paren + 1, end - 2};
+    return out;
+}
+
+std::optional<LaunchParts> of_function(const std::vector<std::string>& words, size_t first, size_t end) {
+    if (words[first] != kLaunch || words[first + 1] != "(" || closing_bracket(words, first + 1, end) != end - 2)
+        return std::nullopt;
+    std::vector<LaunchParts::Run> parts = parted_by_commas(words, first + 2, end - 2);
+    if (parts.size() < 1 + LaunchParts::kMostExtents) return std::nullopt;
+    LaunchParts out{
+        LaunchManner::Form::Function, parts[0], {parts.begin() + 1, parts.begin() + 1 + LaunchParts::kMostExtents}, {}};
+    const size_t behind = out.extents.back().end;
+    out.arguments = {behind + (parts.size() > 1 + LaunchParts::kMostExtents ? 1 : 0), end - 2};
+    if (words[parts[0].first] == "HIP_KERNEL_NAME" && parts[0].end > parts[0].first + 2)
+        out.kernel = {parts[0].first + 2, parts[0].end - 1};
+    return out;
+}
+
+}  // namespace
+
+LaunchManner launch_manner(const ScannedFile& file) {
+    const LexedText& lexed = file.lexed;
+    size_t brackets = 0, functions = 0, wrapped = 0;
+    for (uint32_t i = 0; i + 3 < lexed.tokens.size(); ++i) {
+        if (lexed.view(i) == "<" && lexed.view(i + 1) == "<" && lexed.view(i + 2) == "<") ++brackets;
+        if (lexed.view(i) != kLaunch) continue;
+        ++functions;
+        for (uint32_t k = i + 2; k < lexed.tokens.size() && lexed.view(k) != ";"; ++k)
+            if (lexed.view(k) == "dim3" && lexed.view(k - 1) == ",") {
+                ++wrapped;
+                break;
+            }
+    }
+    LaunchManner out;
+    if ((brackets > 0) == (functions > 0)) return out;
+    out.form = brackets > 0 ? LaunchManner::Form::Brackets : LaunchManner::Form::Function;
+    out.wraps_extents = 2 * wrapped > functions;
+    return out;
+}
+
+std::optional<LaunchParts> parts_of_launch(const std::vector<std::string>& words, size_t first, size_t end) {
+    constexpr size_t kShortest = 8;
+    if (end < first + kShortest || words[end - 1] != ";" || words[end - 2] != ")") return std::nullopt;
+    std::optional<LaunchParts> out = of_function(words, first, end);
+    if (!out) out = of_brackets(words, first, end);
+    if (out && (out->extents.size() < 2 || out->extents.size() > LaunchParts::kMostExtents)) return std::nullopt;
+    return out;
+}
+
+}  // namespace porttool
