@@ -21,20 +21,31 @@ namespace {
 
 constexpr size_t kMostToLay = 24'000;  // words of all texts
 constexpr size_t kLeastEdited = 6;     // words of an edit that is nobody's slip
+constexpr size_t kMeant = 12;          // words of an edit that is more than a mend
 
-/// True if the other side's text has less than half of the names that came and went, of which there are some.
-bool names_are_foreign(const SideEdit& edit, const SideEdit& other) {
-    size_t names = 0, known = 0;
-    const auto count = [&](const std::string& word) {
+/// How many names came and went, and how many of them the other side's text has.
+struct EditedNames {
+    size_t all = 0, known = 0;
+
+    EditedNames(const SideEdit& edit, const SideEdit& other) {
+        for (const std::string& word : edit.gained) count(word, other);
+        for (const std::string& word : edit.lost)
+            if (!edit.gained.contains(word)) count(word, other);
+    }
+
+    /// True if the other side has less than half of them.
+    bool are_foreign() const { return all > 0 && 2 * known < all; }
+
+    /// True if it has hardly any of many.
+    bool are_unheard_of() const { return all >= kLeastEdited && 8 * known < all; }
+
+private:
+    void count(const std::string& word, const SideEdit& other) {
         if (!is_word_token(word)) return;
-        ++names;
+        ++all;
         known += other.has.contains(word) ? 1 : 0;
-    };
-    for (const std::string& word : edit.gained) count(word);
-    for (const std::string& word : edit.lost)
-        if (!edit.gained.contains(word)) count(word);
-    return names > 0 && 2 * known < names;
-}
+    }
+};
 
 /// How a text launches kernels, and with what; that is never silent either.
 std::vector<std::string> launches_of(const Words& text) {
@@ -137,23 +148,27 @@ private:
 
 }  // namespace
 
-bool is_off_common_ground(const LoneTexts& texts, const Dialect& dialect) {
-    if (texts.before.size() + texts.now.size() + texts.other.size() > kMostToLay) return false;
+OffGround off_common_ground(const LoneTexts& texts, const Dialect& dialect) {
     const SideEdit edit(texts.before, texts.now, dialect);
-    if (edit.size < kLeastEdited || is_of_few_words(texts) || touches_guarded_words(edit, texts)) return false;
+    if (edit.size < kLeastEdited || is_of_few_words(texts) || touches_guarded_words(edit, texts)) return OffGround::No;
     const Words then = without_hints(texts.before), today = without_hints(texts.now);
-    if (pragmas_of(then) != pragmas_of(today) || launches_of(then) != launches_of(today)) return false;
+    if (pragmas_of(then) != pragmas_of(today) || launches_of(then) != launches_of(today)) return OffGround::No;
     const SideEdit other(texts.other, texts.other, dialect);
-    if (!names_are_foreign(edit, other)) return false;
+    const EditedNames names(edit, other);
+    if (!names.are_foreign()) return OffGround::No;
+    const OffGround by_names =
+        names.are_unheard_of() && !edit.guarded.contains("#") ? OffGround::Surely : OffGround::No;
+    if (texts.before.size() + texts.now.size() + texts.other.size() > kMostToLay) return by_names;
     WordKeys keys(dialect);
     const AlignedText a = keys.text(edit.before, false), b = keys.text(other.now, false);
     const SideBySide laid(edit.before, other.now, a, b);
     constexpr size_t kShort = 200;  // longer texts have some words in common, if they could be laid side by side
-    if (laid.covered().empty() && edit.before.size() > kShort) return false;
+    if (laid.covered().empty() && edit.before.size() > kShort) return by_names;
     const bool is_apart = are_apart(edit, other, laid);
-    if (reorders_or_retunes(edit, is_apart)) return false;
-    if (!is_apart && edit.guarded.contains("#")) return false;
-    return !GroundReader(edit, laid, is_apart).touches();
+    if (reorders_or_retunes(edit, is_apart)) return OffGround::No;
+    if (!is_apart && edit.guarded.contains("#")) return OffGround::No;
+    if (GroundReader(edit, laid, is_apart).touches()) return OffGround::No;
+    return edit.size < kMeant ? OffGround::Perhaps : OffGround::Surely;
 }
 
 }  // namespace porttool

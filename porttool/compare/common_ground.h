@@ -2,22 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "porttool/compare/edits.h"
 #include "porttool/language/dialect.h"
 
 namespace porttool {
 
-/// True if an edit of one side alone, of more than a word or two, touches nothing that the two sides have in common:
-/// of what it took away nothing has its like on the other side, what it brought in stands beside no word that has, and
-/// of its names the other side's text knows less than half. What is the other side's as well is not behind then. False
-/// where that is not sure: texts too long to lay side by side, and edits of words that are never silent.
+/// Whether an edit of one side alone, of more than a word or two, touches nothing that the two sides have in common: of
+/// what it took away nothing has its like on the other side, what it brought in stands beside no word that has, and
+/// of its names the other side's text knows less than half. What is the other side's as well is not behind then. `No`
+/// where that is not sure: edits of words that are never silent, and texts too long to lay side by side, unless the
+/// other side knows hardly any of many names.
 /// Where hardly a third of the two texts is alike, only clauses that are mostly the same are common ground: words have
-/// their like there by chance.
+/// their like there by chance. `Perhaps` of an edit of a dozen words or less: the mend of a fault of both is as short.
 ///
 ///     before      q.wait(); y[i] = k * x[i];                                                      port
 ///     now         if (is_shared) { advise(y, q.get_device()); } q.wait(); y[i] = k * x[i];        off it
 ///     or now      q.wait(); y[i] = k * x[i]; if (y[i] > lim) { y[i] = lim; }                      on it
 ///     other       y[i] = k * x[i]; z[i] = y[i] + lim;                                             source
-bool is_off_common_ground(const LoneTexts& texts, const Dialect& dialect);
+enum class OffGround : uint8_t { No, Perhaps, Surely };
+OffGround off_common_ground(const LoneTexts& texts, const Dialect& dialect);
 
 }  // namespace porttool

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "porttool/judge/edit_shapes.h"
+#include "porttool/judge/use_graph.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
@@ -352,7 +353,8 @@ void fold_findings(FindingList& findings, const MapFile& map) {
             tell_with(*group.front(), std::span(group).subspan(1), "more pairs have the same edit in their own names");
 }
 
-void ease_orphans(FindingList& findings, const std::vector<JudgedPair>& pairs) {
+void ease_orphans(FindingList& findings, const std::vector<JudgedPair>& pairs,
+                  const std::map<std::string, UnitState>& ports) {
     std::map<std::string, std::string> heirs;  // ports that something else is the source of
     const auto all = findings.from(0);
     if (std::none_of(all.begin(), all.end(), [](const Finding& finding) { return finding.rule == Rule::Orphaned; }))
@@ -360,16 +362,25 @@ void ease_orphans(FindingList& findings, const std::vector<JudgedPair>& pairs) {
     for (const Finding& finding : all)
         if (finding.rule == Rule::Unpaired && finding.side == Side::Source && finding.target)
             heirs.emplace(finding.target->id, finding.map_source + " is new and looks like it");
-    for (const JudgedPair& pair : pairs)
-        if (pair.unit.source != nullptr && pair.unit.target != nullptr)
-            heirs.emplace(pair.id.target, pair.id.source + " is its source as well");
+    std::vector<UseGraph::Marked> users;  // ports with a source, by their pairs
+    for (size_t i = 0; i < pairs.size(); ++i) {
+        const JudgedPair& pair = pairs[i];
+        if (pair.unit.source == nullptr || pair.unit.target == nullptr) continue;
+        heirs.emplace(pair.id.target, pair.id.source + " is its source as well");
+        users.push_back({pair.unit.target, i});
+    }
+    const auto used = UseGraph(ports).reached(users, UseGraph::Along::Uses);
     for (Finding& finding : all) {
-        if (finding.rule != Rule::Orphaned || finding.source) continue;
+        if (finding.rule != Rule::Orphaned || finding.source || !finding.target) continue;
         auto heir = heirs.find(finding.map_target);
-        if (heir == heirs.end() && finding.target) heir = heirs.find(finding.target->id);
-        if (heir == heirs.end()) continue;
+        if (heir == heirs.end()) heir = heirs.find(finding.target->id);
+        const auto port = ports.find(finding.target->id);
+        const auto user = port == ports.end() ? used.end() : used.find(&port->second);
+        if (heir == heirs.end() && user == used.end()) continue;
         finding.level = std::min(finding.level, Level::Note);
-        finding.message += "; " + heir->second;
+        finding.message +=
+            "; " +
+            (heir != heirs.end() ? heir->second : pairs[user->second].id.target + " uses it, whose source is there");
         finding.remedy = "Remove this [[pair]] from portmap.toml";
     }
 }

@@ -89,7 +89,7 @@ public:
         verdicts_.report_idle();
         report_unreadable();
         report_unexplained_kernels();
-        ease_orphans(findings_, out_.pairs);
+        ease_orphans(findings_, out_.pairs, facts_.target);
         fold_findings(findings_, facts_.map);
         out_.findings = findings_.finish();
         out_.renamed = renamed_;

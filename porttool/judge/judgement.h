@@ -90,6 +90,7 @@ struct JudgedPair {
     uint32_t map_line = 1;               ///< where the pair stands in portmap.toml
     bool changed = false;
     bool equivalent = false;      ///< both sides changed alike
+    bool is_of_own_part = false;  ///< one side alone changed, in what the other has nothing like
     std::string macro_edit = {};  ///< how macros changed what its words say: equal for pairs that one look settles
     PairStanding standing = PairStanding::InStep;
 };

@@ -32,6 +32,7 @@ public:
         find_rows();
         find_barren_places();
         find_answered_kernels();
+        find_kernels_of_one_launcher();
         climb();
         follow();
         find_new_files();
@@ -313,6 +314,36 @@ private:
                 }
             }
             if (all_answer && !says.empty()) told_.emplace(kernel, says);
+        }
+    }
+
+    /// The function that alone leads to a unit, itself or through new functions without a counterpart: the farthest.
+    const UnitState* sole_user(const UnitState* unit) const {
+        const UnitState* out = nullptr;
+        std::set<const UnitState*> seen;
+        while (seen.insert(unit).second) {
+            const auto [first, end] = leads_.equal_range(unit);
+            const bool is_one = first != end && std::all_of(first, end, [&, &use = first->second](const auto& each) {
+                                    return each.second == use;
+                                });
+            if (!is_one) break;
+            const auto [user, kind] = first->second;
+            if (kind != UserKind::Watched && kind != UserKind::Unported) break;
+            out = unit = user;
+        }
+        return out;
+    }
+
+    /// Kernels that one function came to launch, and nothing else does, are one new way of doing what it does: the
+    /// first is told.
+    void find_kernels_of_one_launcher() {
+        std::map<const UnitState*, const UnitState*> first;  // of each launcher
+        for (const UnitState* kernel : units_.unported) {
+            if (kernel->kind != UnitKind::Kernel || told_.contains(kernel)) continue;
+            const UnitState* launcher = sole_user(kernel);
+            if (launcher == nullptr) continue;
+            const auto [known, is_first] = first.emplace(launcher, kernel);
+            if (!is_first) told_.emplace(kernel, launcher->id + " leads to it, as to " + known->second->id);
         }
     }
 

@@ -339,7 +339,7 @@ bool PairJudge::call_the_same(const std::vector<RespelledCall>& calls, Side side
 }
 
 /// An edit that most likely needs no port is a note, one of a word or two a warning.
-void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& before, Finding& finding) const {
+void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before, Finding& finding) const {
     const UnitState &now = *pair.unit[side], &there = *pair.unit[other(side)];
     const bool is_code = now.kind == UnitKind::Function || now.kind == UnitKind::Kernel;
     const bool structs = now.kind == UnitKind::Struct && there.kind == UnitKind::Struct;
@@ -401,10 +401,11 @@ void PairJudge::weigh_edit(const JudgedPair& pair, Side side, const NormalText& 
         return weaken(pair, finding, in_order && !only_takes(texts.before, texts.now) ? Level::Note : Level::Warning,
                       there_is + (in_order ? " has most of it" : " has its words, some in other places"));
     }
-    if (is_off_common_ground(texts, dialect_))  // what only the port has is nobody's to follow
-        weaken(pair, finding,
-               is_own_matter || only_tends_runtime(texts.before, texts.now) ? Level::Note : Level::Warning,
-               there_is + " has nothing like what it changes");
+    const OffGround off = off_common_ground(texts, dialect_);
+    if (off == OffGround::No) return;
+    const bool is_note = off == OffGround::Surely || is_own_matter || only_tends_runtime(texts.before, texts.now);
+    pair.is_of_own_part = is_note;
+    weaken(pair, finding, is_note ? Level::Note : Level::Warning, there_is + " has nothing like what it changes");
 }
 
 void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before) {

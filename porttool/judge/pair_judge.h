@@ -50,7 +50,7 @@ private:
     void report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before);
     void weigh_edits(const JudgedPair& pair, const BySide<NormalText>& before, Finding& finding) const;
     bool call_the_same(const std::vector<RespelledCall>& calls, Side side, const Words& there) const;
-    void weigh_edit(const JudgedPair& pair, Side side, const NormalText& before, Finding& finding) const;
+    void weigh_edit(JudgedPair& pair, Side side, const NormalText& before, Finding& finding) const;
 
     const Case& facts_;
     const BySide<RenamedNames>& renamed_;

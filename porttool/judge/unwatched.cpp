@@ -107,12 +107,13 @@ private:
         told_ = told_with_others({units_of(facts_, side_), lone, is_fresh, unported, files, tells_of, answers});
     }
 
-    /// False for a watched unit whose edit is only a note, or that said the word at the merge base already.
+    /// False for a watched unit whose edit is only a note, but for one of what the other side has nothing like, or that
+    /// said the word at the merge base already.
     bool tells_of(const UnitState& user, std::string_view word) const {
         const auto [first, last] = pairs_of_.equal_range(&user);
         const bool is_note = std::any_of(first, last, [](const auto& one) {
             const JudgedPair& pair = *one.second;
-            return pair.changed && !pair.equivalent && pair.standing == PairStanding::InStep;
+            return pair.changed && !pair.equivalent && !pair.is_of_own_part && pair.standing == PairStanding::InStep;
         });
         if (is_note || facts_.at_base[side_] == nullptr) return !is_note;
         const auto then = facts_.at_base[side_]->find(user.id);

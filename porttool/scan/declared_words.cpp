@@ -130,8 +130,9 @@ private:
                 i = past_angles(i) - 1;
             } else if (word(i) == "(" || word(i) == "[") {
                 const size_t close = past_brackets(i);
-                const bool points = word(i) == "(" && is_one_of(word(i + 1), {"*", "&", "^"});
-                for (size_t k = i + 1; points && k < close && word(k) != "("; ++k)
+                const bool names = word(i) == "(" && (is_one_of(word(i + 1), {"*", "&", "^"}) ||
+                                                      (close == i + 3 && is_one_of(word(close), {"(", "["})));
+                for (size_t k = i + 1; names && k < close && word(k) != "("; ++k)
                     if (is_name(k) && is_one_of(word(k + 1), {")", "[", "("})) add(k, kind);
                 i = close - 1;
             } else if (word(i) == "=" || word(i) == "{") {
@@ -146,7 +147,9 @@ private:
         if (i == first) return statement_.size() == first + 1;  // `struct { ... } name;`
         return is_name(i - 1) || is_one_of(word(i - 1), {"*", "&", "&&", ">", ">>", ",", ")", "]", "}"});
     }
+    /// Not what a name in parentheses follows, which is the declarator: `void (*apply)(float)`, `void (step_t)(int)`.
     bool ends_name(size_t i, size_t end) const {
+        if (word(i + 1) == "(" && is_one_of(word(past_brackets(i + 1)), {"(", "["})) return false;
         return i + 1 >= end || is_one_of(word(i + 1), {"=", "[", "(", ",", "{", ":"});
     }
 

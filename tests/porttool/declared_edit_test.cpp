@@ -48,6 +48,7 @@ TEST(DeclaredEdits, OfWordsThatAWatchedFunctionUses) {
     const Rules raised = {"source-changed"}, none;
     const std::string modes = "enum Mode { ADD = 0, MUL = 1, SUB };", kinds = "enum { KIND_A, KIND_B, KIND_C = 4 };",
                       block = "layout(push_constant) uniform PC { float scale; float bias; int n; } pc;",
+                      functions = "typedef void (stop_t)(int); typedef void (go_t)(int); typedef void (*at_t)(int);",
                       loose = "layout(std430) buffer Rays { float length; float width; int n2; };";
     const std::vector<Declared> rows = {
         {"= 1", "= 2", modes, "n == MUL", raised},
@@ -76,6 +77,10 @@ TEST(DeclaredEdits, OfWordsThatAWatchedFunctionUses) {
         {"8, 9", "9, 8", "__constant__ int steps[6] = {4, 5, 6, 7, 8, 9};", "steps[n]", raised},
         {"float real", "double real", "typedef float real;", "(real)n", raised},
         {"= float", "= double", "using real = float;", "(real)n", raised},
+        {"(go_t)(int)", "(go_t)(float)", functions, "run((go_t*)o, n)", raised},
+        {"(go_t)(int)", "(go_t)(float)", functions, "n", none},
+        {"(*at_t)(int)", "(*at_t)(float)", functions, "run((at_t)o, n)", raised},
+        {"(*at_t)(int)", "(*at_t)(float)", functions, "n", none},
         {"64", "32", "#define STEPS 64", "STEPS * n", raised},
         {"B = 3.0f", "B = 4.0f", "const float B = 3.0f;\nconst float K = B * 2.0f;", "K * n", raised},
         {"B = 3.0f", "B = 4.0f", "const float B = 3.0f;\nconst float K = B * 2.0f;\nfloat L = 1.0f;", "L * n", none},

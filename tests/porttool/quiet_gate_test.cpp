@@ -108,6 +108,62 @@ TEST(QuietGate, WhatTouchesNothingInCommonIsAWarningAndUpkeepOfARuntimeANote) {
     EXPECT_EQ(level_after("cudaSetDevice(kDevice)", "cudaSetDeviceFlags(kDevice)"), "error");
 }
 
+TEST(QuietGate, ALongEditOfWhatTheOtherHasNothingLikeIsANote) {
+    const std::string open = "device.open();";
+    const auto after_source = [&](const std::string& to) {
+        return loud({{"s/k.cu", kPort}, {"t/k.cpp", kSource}}, {{"s/k.cu", replaced(kPort, open, to)}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const Loud told = {"source-changed s/k.cu:f"};
+    const std::string shares = "if (pool.is_shared(device)) { pool.advise(device, Usage::Often); ",
+                      weighs = "meter.weigh(device, Level::All); meter.flush(sink, Level::None); } ";
+    EXPECT_EQ(after_source(shares + weighs + open), Loud{});
+    // A new function that only this calls; not one that a watched function called before.
+    const std::string trace = "int trace_all(Meter& meter, int depth) { meter.depth = depth; return meter.count(); }\n";
+    const std::string traced = replaced(kPort, open, shares + "trace_all(meter, 3); " + weighs + open);
+    EXPECT_EQ(loud({{"s/k.cu", kPort}, {"t/k.cpp", kSource}}, {{"s/k.cu", trace + traced}}, {"s/k.cu:f=t/k.cpp:f"}),
+              Loud{});
+    // As long beside what both have, in names that both have, with a pragma, or of what both have; and a short one.
+    EXPECT_EQ(loud({{"s/k.cu", kPort}, {"t/k.cpp", kSource}},
+                   {{"s/k.cu", replaced(kPort, "{ y[at]", "{ " + shares + weighs + " y[at]")}}, {"s/k.cu:f=t/k.cpp:f"}),
+              told);
+    EXPECT_EQ(after_source("if (n > 0 && lim > 0) { y[0] = lim; x = y + n; y[1] = x[0] * lim; n = 0; } " + open), told);
+    EXPECT_EQ(after_source("#pragma omp atomic update hint(often) seq_cst\n" + shares + weighs + open), told);
+    EXPECT_EQ(after_source(shares + "} " + open), told);
+}
+
+TEST(QuietGate, InTextsThatAreTooLongToLayTheWordsTell) {
+    std::string here = "void f(float* y, int n) {\n", there = "void f(Span& y, int n) {\n";
+    for (int i = 0; i < 1300; ++i) {
+        here += "  make(rows[" + std::to_string(i) + "], n);\n";
+        there += "  y[" + std::to_string(i) + "] = n % 7;\n";
+    }
+    const auto after = [&](const std::string& statement) {
+        return loud({{"s/k.cu", here + "}\n"}, {"t/k.cpp", there + "}\n"}}, {{"s/k.cu", here + statement + "}\n"}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const Loud told = {"source-changed s/k.cu:f"};
+    EXPECT_EQ(after("  create(board, shade_rows, shade_rows_length, shade_rows_data, wide);\n"), Loud{});
+    EXPECT_EQ(after("  create(board, shade_rows, shade_rows_length);\n"), told) << "a few names";
+    EXPECT_EQ(after("  create(board, shade_rows, shade_rows_length, shade_rows_data, y, n);\n"), told);
+    EXPECT_EQ(after("  make(rows[17], n);\n"), told);
+}
+
+TEST(QuietGate, APortThatOthersUseIsNoOrphan) {
+    const std::string helper = "float lift(float x) { return x * 2.0f + 1.0f; }\n";
+    const std::string uses = "float f(float x) { return lift(x) - x; }\n",
+                      does = "float f(float x) { return x * 2.0f + 1.0f - x; }\n",
+                      alone = "float f(float x) { return x - 1.0f; }\n";
+    const std::vector<std::string> pairs = {"s/k.cl:f=t/k.cpp:f", "s/k.cl:lift=t/k.cpp:lift"};
+    EXPECT_EQ(loud({{"s/k.cl", helper + uses}, {"t/k.cpp", helper + uses}}, {{"s/k.cl", does}}, pairs),
+              Loud{"source-changed s/k.cl:f"})
+        << "what uses it tells";
+    EXPECT_EQ(loud({{"s/k.cl", helper + alone}, {"t/k.cpp", helper + alone}}, {{"s/k.cl", alone}}, pairs),
+              Loud{"orphaned t/k.cpp:lift"});
+    EXPECT_EQ(loud({{"s/k.cl", helper + uses}, {"t/k.cpp", helper + uses}}, {{"s/k.cl", "int g;\n"}}, pairs).size(), 1u)
+        << "nothing that has a source uses them: both are told, once";
+}
+
 TEST(QuietGate, WhatTouchesNothingInCommonIsThePortsOwnMatter) {
     const Loud told = {"target-changed s/k.cu:f"};
     const std::string open = "device.open();";

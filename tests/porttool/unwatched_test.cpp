@@ -480,6 +480,35 @@ TEST(Unwatched, ANewKernelIsToldWithWhatLaunchesItWhereThatHasACounterpart) {
     EXPECT_EQ(check(disk)["verdict"], "drift");
 }
 
+TEST(Unwatched, OfSeveralKernelsThatOneFunctionLeadsToTheFirstIsTold) {
+    const auto kernel = [](const std::string& name, const std::string& sign) {
+        return "__global__ void " + name +
+               "(float* a, int n) {\n    int i = threadIdx.x;\n    if (i < n) a[i] = a[i] " + sign + " 3.0f;\n}\n";
+    };
+    const std::string kernels = kernel("tint_rows", "*") + kernel("wipe_rows", "-");
+    const auto all = [](const std::string& does) {
+        return "int tint_all(float* a, int n, int times) {\n    int done = 0;\n"
+               "    for (int k = 0; k < times; ++k) {\n    done += n;\n" +
+               does + "    }\n    return done;\n}\n";
+    };
+    const std::string tint = "tint_rows<<<1, n>>>(a, n); ", wipe = "wipe_rows<<<1, n>>>(a, n); ";
+    const auto after = [&](const std::string& text) {
+        MemoryDisk disk = started(kLum + all(""), kLumPort + all(""));
+        disk.files["/r/src/k.cu"] = kLum + kernels + text;
+        EXPECT_EQ(check(disk)["verdict"], "drift");
+        std::vector<std::string> out;
+        for (const std::string& each : unported_in(check(disk)))
+            if (each.find("_rows") != std::string::npos) out.push_back(each);
+        return out;
+    };
+    const std::vector<std::string> first = {"src/k.cu:tint_rows error", "src/k.cu:wipe_rows note"},
+                                   each = {"src/k.cu:tint_rows error", "src/k.cu:wipe_rows error"};
+    EXPECT_EQ(after(all(tint + wipe)), first);
+    EXPECT_EQ(after(all("paint(a, n); ") + "void paint(float* a, int n) { " + tint + wipe + "}\n"), first);
+    EXPECT_EQ(after(all("")), each) << "nothing launches them";
+    EXPECT_EQ(after(all(tint) + "int wipe_all(float* a, int n) { " + wipe + "return n; }\n"), each);
+}
+
 TEST(Unwatched, OneMoreVariantOfWhatHasNoPortIsNoNews) {
     const std::string tile = "template <int N> struct Tile { int rows; int area(int n) { return n * rows; } };\n";
     const std::string more =
