@@ -108,7 +108,7 @@ private:
         const auto add = [&](const Names& names, size_t i) {
             const auto [first, last] = names.equal_range(user.text[i]);
             for (auto used = first; used != last; ++used)
-                if (used->second != &user && is_use(*used->second, user.text, i)) add_use(*used->second, user, kind, i);
+                if (used->second != &user && is_use(*used->second, user, i)) add_use(*used->second, user, kind, i);
         };
         for (size_t i = 0; i < user.text.size(); ++i) {
             const std::string_view word = user.text[i];
@@ -145,11 +145,14 @@ private:
         return open_.contains(&user) ? UserKind::Unported : UserKind::New;
     }
 
-    /// A function is used where it is called or handed to a template; any mention of a constant or a type is a use.
-    static bool is_use(const UnitState& used, const NormalText& text, size_t i) {
-        if (used.kind != UnitKind::Function && used.kind != UnitKind::Kernel) return true;
+    /// A function is used where it is called or handed to a template, not where a class declares it; any mention of a
+    /// constant or a type is a use.
+    static bool is_use(const UnitState& used, const UnitState& user, size_t i) {
+        if (!is_code(used)) return true;
+        const NormalText& text = user.text;
         const std::string_view before = i > 0 ? text[i - 1] : std::string_view();
         const std::string_view after = i + 1 < text.size() ? text[i + 1] : std::string_view();
+        if (user.kind == UnitKind::Struct && after == "(" && is_word_token(before) && before != "return") return false;
         const bool template_argument = (before == "<" || before == ",") && (after == ">" || after == ",");
         return after == "(" || after == "<" || before == "&" || (template_argument && (before == "<" || after == ">"));
     }

@@ -495,6 +495,19 @@ TEST(QuietGate, FieldsOfStructsThatWereNeverOne) {
     EXPECT_EQ(after(same, "void* room;", "void* room; bool shared;"), Loud{"target-changed s/k.h:S"});
 }
 
+TEST(QuietGate, AMethodThatAClassDeclaresIsNotUsedThere) {
+    const std::string own = "struct S { int device; Queue queue; void* room; };",
+                      other = "struct S { int rows; Stream stream; float* data; };",
+                      wide = replaced(other, "float* data;", "float* data; bool stale; void refit(int n);"),
+                      refit = "void S::refit(int n) { rows = n * 7; stale = n > 3; }\n";
+    const auto after = [&](const std::string& step) {
+        return loud({{"s/k.cu", other + kSource}, {"t/k.cpp", own + kSource}}, {{"s/k.cu", wide + refit + step}},
+                    {"s/k.cu:S=t/k.cpp:S", "s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(after(replaced(kSource, "int at", "mesh->refit(n); int at")), Loud{"source-changed s/k.cu:f"});
+    EXPECT_EQ(after(kSource), Loud{"unported s/k.cu:S::refit"}) << "nothing that is told uses it";
+}
+
 TEST(QuietGate, AListThatCatchesUp) {
     const std::string here = "enum Kind { MATTE, GLASS };", there = "enum Kind { MATTE, GLASS, METAL, VELVET };";
     const auto after = [&](const std::string& to) {
