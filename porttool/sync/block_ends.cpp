@@ -67,6 +67,28 @@ void match_calls(const AlignedText& first, const AlignedText& second, Alignment&
     }
 }
 
+void match_last_else(const AlignedText& first, const AlignedText& second, const UnitWords& now, Alignment& alignment) {
+    for (size_t c = 0; c + 1 < first.clauses.size(); ++c) {
+        const size_t outer = alignment.clause_of[c];
+        if (!is_else(first, c) || outer == Alignment::kNone || !is_else(second, outer)) continue;
+        const Clause& head = second.clauses[outer];
+        if (!now.is_added(head.end - 1) || outer + 1 >= second.clauses.size() || !second.clauses[outer + 1].opens ||
+            second.words[second.clauses[outer + 1].first] != "if")
+            continue;
+        const size_t branch_end = second.clauses[outer + 1].partner;
+        const size_t inner = branch_end == Clause::kNone ? branch_end : branch_end + 1;
+        if (inner == Clause::kNone || !is_else(second, inner) || now.is_added(second.clauses[inner].end - 1)) continue;
+        const size_t end = second.clauses[inner].partner, old_end = first.clauses[c].partner;
+        if (end == Clause::kNone || old_end == Clause::kNone || head.partner != end + 1) continue;
+        const std::set<size_t> taken(alignment.clause_of.begin(), alignment.clause_of.end());
+        if (taken.contains(inner) || (taken.contains(end) && alignment.clause_of[old_end] != end)) continue;
+        const size_t content = alignment.clause_of[c + 1];
+        if (content == Alignment::kNone || content <= inner || content >= end) continue;
+        stand_for(first, c, second, inner, alignment);
+        stand_for(first, old_end, second, end, alignment);
+    }
+}
+
 void match_block_ends(const AlignedText& first, const AlignedText& second, Alignment& alignment) {
     std::vector<size_t> wanted = alignment.clause_of;
     for (size_t head = 0; head < first.clauses.size(); ++head) {

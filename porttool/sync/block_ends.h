@@ -3,6 +3,7 @@
 #pragma once
 
 #include "porttool/compare/alignment.h"
+#include "porttool/sync/unit_words.h"
 
 namespace porttool {
 
@@ -16,6 +17,14 @@ namespace porttool {
 ///                            else { ... }
 ///                            }               but this one
 void match_block_ends(const AlignedText& first, const AlignedText& second, Alignment& alignment);
+
+/// Lets the last `else` of a chain stand for the last one, where a branch came before it: an `else` and an `if` on one
+/// line, whose braces are those of the normal form (`now` tells), are new.
+///
+///     if ( a ) { x ( ) ; }              if ( a ) { x ( ) ; }
+///     else { z ( ) ; }                  else if ( b ) { y ( ) ; }
+///                                       else { z ( ) ; }                 this one
+void match_last_else(const AlignedText& first, const AlignedText& second, const UnitWords& now, Alignment& alignment);
 
 /// Lets the only clause of a text stand for the only one of another, however unlike: `# define N 32` and
 /// `# define N ( 2 * SIZE )`. Of the words those at both ends that are the same stand for each other.

@@ -144,6 +144,7 @@ struct PairCarrier::Texts : Places {
         join_own_parts(old_text, port_text, parts_of_pair(file, unit, draft.scanned, port));
         across = align(old_text, port_text, {});
         match_block_ends(old_text, new_text, edit);
+        match_last_else(old_text, new_text, is, edit);
         match_only_clauses(old_text, new_text, edit);
         match_calls(old_text, new_text, edit);
         launches = paired_launches(old_text, port_text, across);

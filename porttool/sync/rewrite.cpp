@@ -226,10 +226,13 @@ private:
         size_t before = clause_before(one.before);
         if (before == kNone) return;
         const size_t parent = parent_at(before);
-        const std::string base =
-            parent == kNone ? indent_of_line(placed_from(target_.clauses[before].first)) : indent_in(parent);
+        const size_t last = placed_before(one.before), next = placed_from(one.before);
+        const bool before_else = comes_before_else(last, next);
+        const std::string base = before_else       ? indent_of_line(last)
+                                 : parent == kNone ? indent_of_line(placed_from(target_.clauses[before].first))
+                                                   : indent_in(parent);
         std::string out;
-        std::string indent = deeper(base, levels);
+        std::string indent = deeper(base, before_else ? 0 : levels);
         bool first = true;
         for (const ClauseAdded& clause : one.clauses) {
             const Clause& from = source_.clauses[clause.source];
@@ -237,7 +240,7 @@ private:
             const std::string code = written(clause.words, indent);
             if (!code.empty()) {
                 const bool own_line = begins_line(clause.source);
-                const bool joins = !own_line && !first;
+                const bool joins = first ? before_else : !own_line;
                 if (joins)
                     out += " " + code;
                 else if (first && from.closes)
@@ -249,16 +252,21 @@ private:
             }
             if (from.opens) indent = deeper(indent, depth_.step(clause.source));
         }
-        const size_t last = placed_before(one.before);
         if (last == kNone || out.empty()) return;
-        const size_t end = end_of(last), next = placed_from(one.before);
-        const size_t eol = end_of_comments(end);
+        const size_t end = end_of(last), eol = end_of_comments(end);
+        if (before_else) return put(end, end, out);
         const bool breaks_line =
             std::find(braces_.opened.begin(), braces_.opened.end(), before) != braces_.opened.end() &&
             has_statement_beside(before);
         if (breaks_line) return put(end, end, out);
         if (next != kNone && start_of(next) < eol) return put(end, end, on_one_line(out));
         put(eol, eol, out);
+    }
+
+    /// True between the brace that ends a branch and the `else` behind it on its line.
+    bool comes_before_else(size_t last, size_t next) const {
+        return last != kNone && next != kNone && target_.words.words[last] == "}" &&
+               target_.words.words[next] == "else" && start_of(next) < line_end(text(), end_of(last));
     }
 
     /// The end of the line, or of the line that a comment which begins on it ends on.

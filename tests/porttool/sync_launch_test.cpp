@@ -307,5 +307,26 @@ TEST_F(SyncLaunch, AClockBehindACallThatThePortOnlyStartsIsLeft) {
     expect_left(host + kEnd + finish, "does not wait there", 9);
 }
 
+TEST_F(SyncLaunch, ABranchBeforeTheLastElseIsOneMoreOfTheChain) {
+    const auto chain = [](const std::string& name, const std::string& more) {
+        return "void " + name +
+               "(int n) {\n    if (n == 0) {\n        first(n);\n    } else if (n == 1) {\n        second(n);\n    }" +
+               more + " else {\n        last(n);\n    }\n}\n";
+    };
+    start("k.cpp", chain("run", ""), "k.cu", chain("run", ""));
+    const std::string more = " else if (n == 2) {\n        third(n);\n    }";
+    expect_written(chain("run", more), chain("run", more));
+}
+
+TEST_F(SyncLaunch, ABranchWithinTheLastElseStaysWithinIt) {
+    const auto chain = [](const std::string& last) {
+        return "void run(int n) {\n    if (n == 0) {\n        first(n);\n    } else {\n" + last + "    }\n}\n";
+    };
+    start("k.cpp", chain("        last(n);\n"), "k.cu", chain("        last(n);\n"));
+    const std::string within =
+        chain("        if (n == 2) {\n            third(n);\n        } else {\n            last(n);\n        }\n");
+    expect_ported(within, within);
+}
+
 }  // namespace sync_launch_test
 }  // namespace porttool::testing
