@@ -57,13 +57,13 @@ bool has_word_in(const AlignedText& text, const Clause& clause, std::string_view
     return false;
 }
 
-constexpr double kSure = 0.6;  ///< what is less alike may stand for something else
+constexpr double kSameStart = 0.6;  ///< what is less alike may stand for something else
 
 /// True where the counterparts of what stands before and behind `here` stand before and behind `there`.
 bool agrees(const LaunchPair& pair, const Alignment& alignment) {
     for (size_t c = 0; c < alignment.clause_of.size(); ++c) {
         const size_t other = alignment.clause_of[c];
-        if (other == Alignment::kNone || alignment.likeness[c] < kSure) continue;
+        if (other == Alignment::kNone || alignment.likeness[c] < kSameStart) continue;
         if (c < pair.here.first && other > pair.there.last) return false;
         if (c > pair.here.last && other < pair.there.first) return false;
     }
