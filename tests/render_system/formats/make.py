@@ -270,7 +270,7 @@ def textures():
     model.write("third_uv_set")
 
     model = Model()
-    model.material(pbrMetallicRoughness={"baseColorTexture": {"index": model.texture(COLOR), "texCoord": 1}})
+    model.material(pbrMetallicRoughness={"baseColorTexture": {"index": model.texture(COLOR), "texCoord": 2}})
     model.write("no_coordinates")
 
     model = Model()
