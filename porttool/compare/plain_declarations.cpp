@@ -23,15 +23,39 @@ struct NumberDeclaration {
     bool is_const = false;
 };
 
-size_t end_of_statement(const Words& tokens, size_t first) {
-    int depth = 0;
-    for (size_t i = first; i < tokens.size(); ++i) {
-        if (is_one_of(tokens[i], {"(", "[", "{"})) ++depth;
-        if (is_one_of(tokens[i], {")", "]", "}"}) && --depth < 0) return tokens.size();
-        if (depth == 0 && tokens[i] == ";") return i;
+/// Where the statements end that begin at each token: at a semicolon outside of their brackets, or with the text where
+/// there is none, or a bracket closes that they did not open. Looked through once, when it is first asked.
+class StatementEnds {
+public:
+    explicit StatementEnds(const Words& tokens) : tokens_(tokens) {}
+
+    size_t of(size_t first) {
+        if (ends_.empty()) fill();
+        return ends_[first];
     }
-    return tokens.size();
-}
+
+private:
+    void fill() {
+        const size_t none = tokens_.size();
+        ends_.assign(none + 1, none);
+        std::vector<size_t> after;  ///< where what begins behind each bracket that is open ends, from the text's end
+        for (size_t i = none; i-- > 0;) {
+            const char sign = tokens_[i].size() == 1 ? tokens_[i].front() : ' ';
+            if (sign == ')' || sign == ']' || sign == '}') {
+                after.push_back(ends_[i + 1]);
+            } else if (sign == '(' || sign == '[' || sign == '{') {
+                if (after.empty()) continue;
+                ends_[i] = after.back();
+                after.pop_back();
+            } else {
+                ends_[i] = sign == ';' ? i : ends_[i + 1];
+            }
+        }
+    }
+
+    const Words& tokens_;
+    std::vector<size_t> ends_;
+};
 
 /// True for `a`, `a = ...` and `a [ 4 ] = ...`.
 bool is_variable(const Words& tokens, WordSpan range) {
@@ -69,9 +93,9 @@ std::optional<NumberDeclaration> declaration_at(const Words& tokens, WordSpan st
 }
 
 /// The end of `a = ... ;` after the declaration of `a`, if that is all of the statement and reads no `a`; else 0.
-size_t end_of_first_value(const Words& tokens, size_t first, std::string_view name) {
+size_t end_of_first_value(const Words& tokens, size_t first, std::string_view name, StatementEnds& ends) {
     if (first + 2 >= tokens.size() || tokens[first] != name || tokens[first + 1] != "=") return 0;
-    const size_t end = end_of_statement(tokens, first);
+    const size_t end = ends.of(first);
     int depth = 0;
     for (size_t i = first + 2; i < end; ++i) {
         depth += is_one_of(tokens[i], {"(", "[", "{"}) ? 1 : is_one_of(tokens[i], {")", "]", "}"}) ? -1 : 0;
@@ -89,12 +113,13 @@ void append(Words& out, const Words& tokens, WordSpan range) {
 
 Words with_plain_declarations(const Words& tokens) {
     Words out;
+    StatementEnds ends(tokens);
     int parentheses = 0;
     for (size_t i = 0; i < tokens.size(); ++i) {
         parentheses += tokens[i] == "(" ? 1 : tokens[i] == ")" ? -1 : 0;
         const bool starts = parentheses == 0 && i > 0 && is_one_of(tokens[i - 1], {";", "{", "}"});
         const bool may_be = starts && (tokens[i] == "const" || is_type_word(tokens[i]));
-        const size_t end = may_be ? end_of_statement(tokens, i) : tokens.size();
+        const size_t end = may_be ? ends.of(i) : tokens.size();
         const auto found = end < tokens.size() ? declaration_at(tokens, {i, end}) : std::nullopt;
         if (!found) {
             out.push_back(tokens[i]);
@@ -108,7 +133,7 @@ Words with_plain_declarations(const Words& tokens) {
         i = end;
         const WordSpan last = found->variables.back();
         const bool is_bare = last.end == last.first + 1 && !found->is_const;
-        const size_t given = is_bare ? end_of_first_value(tokens, i + 1, tokens[last.first]) : 0;
+        const size_t given = is_bare ? end_of_first_value(tokens, i + 1, tokens[last.first], ends) : 0;
         if (given == 0) continue;
         out.pop_back();
         append(out, tokens, {i + 2, given + 1});
