@@ -20,8 +20,6 @@
 namespace porttool {
 namespace {
 
-using Names = std::unordered_set<std::string_view>;
-
 constexpr std::array<std::string_view, 8> kClocks = {"gettimeofday", "tvsec",   "tvusec", "clockgettime",
                                                      "steadyclock",  "elapsed", "chrono", "profil"};
 constexpr std::array<std::string_view, 6> kMacros = {"timing", "timer", "debug", "verbose", "profil", "bench"};
@@ -286,7 +284,7 @@ private:
     const Words& tokens_;
     std::unordered_map<size_t, size_t> guards_;
     std::vector<Stretch> stretches_;
-    Names rest_;  ///< of what is no aside
+    std::unordered_set<std::string_view> rest_;  ///< of what is no aside
 };
 
 }  // namespace

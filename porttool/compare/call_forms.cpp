@@ -16,12 +16,12 @@ using Text = std::vector<std::string>;
 
 bool is_access(std::string_view word) { return word == "." || word == "->"; }
 
-constexpr size_t kFarthest = 64;  // words, of a value
+constexpr size_t kLongestValue = 64;  // words, of a value
 
 /// Where the brackets open that close with the last of [0, end); `end` if they do not soon.
 size_t opening_before(const Text& words, size_t end) {
     int depth = 0;
-    for (size_t i = end; i > 0 && end - i < kFarthest; --i) {
+    for (size_t i = end; i > 0 && end - i < kLongestValue; --i) {
         const std::string& word = words[i - 1];
         if (word == ")" || word == "]") ++depth;
         if ((word == "(" || word == "[") && --depth == 0) return i - 1;
@@ -32,7 +32,7 @@ size_t opening_before(const Text& words, size_t end) {
 /// Where the value begins that ends with the last of `words`: `a . b [ i ]`, `f ( x )`; their number if it is none.
 size_t value_before(const Text& words) {
     size_t first = words.size();
-    while (first > 0 && words.size() - first < kFarthest) {
+    while (first > 0 && words.size() - first < kLongestValue) {
         const size_t end = first;
         while (first > 0 && (words[first - 1] == ")" || words[first - 1] == "]")) {
             const size_t open = opening_before(words, first);
@@ -70,7 +70,7 @@ bool is_declared(std::string_view before) {
 /// Where the first argument ends of the call whose bracket is at `open`; `open` if it has none, or a long one.
 size_t first_argument_end(const Text& words, size_t open) {
     int depth = 0;
-    for (size_t i = open + 1; i < words.size() && i < open + kFarthest; ++i) {
+    for (size_t i = open + 1; i < words.size() && i < open + kLongestValue; ++i) {
         const std::string& word = words[i];
         if (depth == 0 && (word == "," || word == ")")) return i == open + 1 ? open : i;
         if (word == "(" || word == "[" || word == "{") ++depth;

@@ -47,10 +47,10 @@ public:
                                          (is_namesake(candidate) ? kNamesakeBonus : 0.0f) + role_bonus(candidate));
         }
         for (uint32_t s = 0; s < source_.size(); ++s) prefer_alike_bodies(s);
-        constexpr float kFixed = 10;  // ahead of all that is only alike
+        constexpr float kScoreOfFixed = 10;  // ahead of all that is only alike
         for (const FixedPair& pair : fixed) {
             fixed_[pair.source] = true;
-            for (float& score : scores_[pair.source]) score = kFixed;
+            for (float& score : scores_[pair.source]) score = kScoreOfFixed;
         }
     }
 

@@ -91,9 +91,9 @@ struct Mark {
 };
 
 std::vector<Mark> all_marks() {
-    constexpr size_t kDeepest = 4;
+    constexpr size_t kMostFolders = 4;
     std::vector<Mark> out;
-    for (size_t depth = 0; depth < kDeepest; ++depth)
+    for (size_t depth = 0; depth < kMostFolders; ++depth)
         for (const auto word : {Mark::Whole, Mark::Last, Mark::First}) out.push_back({depth, false, word});
     for (const auto word : {Mark::Last, Mark::First}) out.push_back({0, true, word});
     return out;

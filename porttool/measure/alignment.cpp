@@ -131,7 +131,7 @@ float likeness(const Line& a, const Line& b) {
 /// Pairs lines of a stretch without equal ones by likeness, keeping their order.
 void match_alike(const Lines& source, const Lines& target, const Stretch& stretch, std::vector<Match>& out) {
     constexpr size_t kMostCells = 40'000;
-    constexpr float kAlike = 0.45f;
+    constexpr float kLeastLikeness = 0.45f;
     const size_t rows = stretch.source_end - stretch.source, columns = stretch.target_end - stretch.target;
     if (rows == 0 || columns == 0 || rows * columns > kMostCells) return;
     std::vector<float> best((rows + 1) * (columns + 1), 0), alike(rows * columns);
@@ -139,7 +139,7 @@ void match_alike(const Lines& source, const Lines& target, const Stretch& stretc
     for (size_t i = rows; i-- > 0;) {
         for (size_t k = columns; k-- > 0;) {
             const float one = likeness(source[stretch.source + i], target[stretch.target + k]);
-            alike[i * columns + k] = one >= kAlike ? one : 0;
+            alike[i * columns + k] = one >= kLeastLikeness ? one : 0;
             cell(i, k) = std::max({cell(i + 1, k), cell(i, k + 1), cell(i + 1, k + 1) + alike[i * columns + k]});
         }
     }

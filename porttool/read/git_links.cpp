@@ -11,15 +11,15 @@
 namespace porttool {
 namespace {
 
-using Kind = GitEntry::Kind;
+using EntryKind = GitEntry::Kind;
 using Names = std::deque<std::string>;
 
 constexpr int kMostLinks = 40;  // as in the kernel
 
-Kind kind_of(git_filemode_t mode) {
-    if (mode == GIT_FILEMODE_LINK) return Kind::Link;
-    if (mode == GIT_FILEMODE_COMMIT) return Kind::Submodule;
-    return mode == GIT_FILEMODE_TREE ? Kind::Folder : Kind::File;
+EntryKind kind_of(git_filemode_t mode) {
+    if (mode == GIT_FILEMODE_LINK) return EntryKind::Link;
+    if (mode == GIT_FILEMODE_COMMIT) return EntryKind::Submodule;
+    return mode == GIT_FILEMODE_TREE ? EntryKind::Folder : EntryKind::File;
 }
 
 Names names_of(const std::string& path) {
@@ -35,7 +35,7 @@ public:
 
     GitPlace run(const std::string& path) {
         ahead_ = names_of(path);
-        place_.entry.kind = Kind::Folder;
+        place_.entry.kind = EntryKind::Folder;
         while (!ahead_.empty() && step()) continue;
         for (const std::string& name : behind_) place_.path += (place_.path.empty() ? "" : "/") + name;
         return std::move(place_);
@@ -52,15 +52,15 @@ private:
         std::string path;
         for (const std::string& part : behind_) path += (path.empty() ? "" : "/") + part;
         place_.entry = path.size() > kLongestGitPath ? GitEntry{} : at_(path);
-        if (place_.entry.kind == Kind::Link) return follow();
-        if (place_.entry.kind == Kind::Submodule && !ahead_.empty()) return leave();
-        return place_.entry.kind == Kind::Folder || ahead_.empty() ? true : end();
+        if (place_.entry.kind == EntryKind::Link) return follow();
+        if (place_.entry.kind == EntryKind::Submodule && !ahead_.empty()) return leave();
+        return place_.entry.kind == EntryKind::Folder || ahead_.empty() ? true : end();
     }
 
     bool up() {
         if (behind_.empty()) return leave();
         behind_.pop_back();
-        place_.entry = {Kind::Folder, {}};
+        place_.entry = {EntryKind::Folder, {}};
         return true;
     }
 
@@ -78,7 +78,7 @@ private:
         }
         const Names names = names_of(target);
         ahead_.insert(ahead_.begin(), names.begin(), names.end());
-        place_.entry = {Kind::Folder, {}};
+        place_.entry = {EntryKind::Folder, {}};
         return true;
     }
 
@@ -120,7 +120,7 @@ GitEntryAt entries_of_index(git_index* index) {
             return GitEntry{kind_of(static_cast<git_filemode_t>(entry->mode)), entry->id};
         size_t first = 0;
         const bool is_folder = git_index_find_prefix(&first, index, (path + "/").c_str()) == 0;
-        return GitEntry{is_folder ? Kind::Folder : Kind::None, {}};
+        return GitEntry{is_folder ? EntryKind::Folder : EntryKind::None, {}};
     };
 }
 

@@ -104,8 +104,8 @@ bool is_of_proc(const std::string& folder) {
 
 /// Asks the file, not its name: a link of /proc stands for a file that is open already.
 Destination destination_of(std::string path) {
-    constexpr int kMostLinks = 40;
-    for (int links = 0; links < kMostLinks; ++links) {
+    constexpr int kMostSteps = 40;
+    for (int links = 0; links < kMostSteps; ++links) {
         struct stat status {};
         if (::lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode))
             return {path, ::lstat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)};

@@ -18,17 +18,18 @@ namespace {
 bool is_file(const Disk& disk, const std::string& path) { return disk.exists(path) && !disk.is_directory(path); }
 
 /// An argument taken apart: PATH or PATH:NAME.
-struct Named {
+struct NamedFile {
     std::string path;  ///< absolute
     std::string name;  ///< empty: the whole file
 };
 
 /// The part of an argument that is a file below `folder`: all of it, else the longest part before a colon. Nothing if
 /// there is none.
-std::optional<Named> find_file(const Disk& disk, const std::string& folder, const std::string& argument) {
+std::optional<NamedFile> find_file(const Disk& disk, const std::string& folder, const std::string& argument) {
     for (size_t end = argument.size(); end != std::string::npos && end > 0; end = argument.rfind(':', end - 1)) {
         const std::string path = absolute_path(join_path(folder, argument.substr(0, end)));
-        if (is_file(disk, path)) return Named{path, end < argument.size() ? argument.substr(end + 1) : std::string()};
+        if (is_file(disk, path))
+            return NamedFile{path, end < argument.size() ? argument.substr(end + 1) : std::string()};
     }
     return std::nullopt;
 }
@@ -70,7 +71,7 @@ std::string NamedText::id() const { return unit ? unit_id(file, file.units[*unit
 
 NamedText read_named_text(const Disk& disk, const std::string& directory, const std::string& root,
                           const std::string& argument) {
-    std::optional<Named> named = find_file(disk, directory, argument);
+    std::optional<NamedFile> named = find_file(disk, directory, argument);
     if (!named) named = find_file(disk, root, argument);
     if (!named) refuse_argument(disk, directory, argument);
     std::vector<std::string> missing;
