@@ -20,8 +20,6 @@ endfunction()
 # FOLDER=NEIGHBOUR: folders whose own code is less than what they include are compiled with the files of another.
 set(neighbours bias=locate cluster=locate comparison=locate history=effort language=scan live=lsp spirv=lsp
     value_graph=normal)
-# Where most is built, and once: two folders compiled together take up to a sixth less.
-set(neighbours_of_all snapshot=judge effort=audit lsp=report match=normal measure=scan)
 
 # compile_by_folder(TARGET): names in unnamed namespaces must then be unique among the target's files of one folder and
 # its neighbours, which tests/one_definition_test.py holds.
@@ -30,17 +28,15 @@ function(compile_by_folder target)
         return()
     endif()
     set(most_files 8)  # so that building again after an edit stays short
-    set(together ${neighbours})
     if(PORTTOOL_SANITIZED_TESTS)
-        set(most_files 60)  # most build everything then, and once
-        list(APPEND together ${neighbours_of_all})
+        set(most_files 25)  # most build everything then, and once
     endif()
     get_target_property(sources ${target} SOURCES)
     list(FILTER sources INCLUDE REGEX "[.]cpp$")
     set(folders "")
     foreach(source ${sources})
         cmake_path(GET source PARENT_PATH folder)
-        foreach(pair ${together})
+        foreach(pair ${neighbours})
             string(REGEX MATCH "(.*)=(.*)" pair ${pair})
             string(REGEX REPLACE "(^|/)${CMAKE_MATCH_1}$" "\\1${CMAKE_MATCH_2}" folder "${folder}")
         endforeach()

@@ -22,8 +22,8 @@ HOUSE = ("application", "metrics", "packaging", "porttool", "render_system", "so
 TOGETHER = ("application/", "metrics/", "porttool/", "render_system/",  # cmake/by_folder.cmake
             "tests/application/", "tests/metrics/", "tests/porttool/", "tests/render_system/")
 # cmake/by_folder.cmake: small folders are compiled with the files of another.
-NEIGHBOURS = dict(pair.split("=") for pairs in re.findall(
-    r"set\(neighbours\w* ([^)]*)\)", (ROOT / "cmake/by_folder.cmake").read_text()) for pair in pairs.split())
+NEIGHBOURS = dict(pair.split("=") for pair in re.search(
+    r"set\(neighbours ([^)]*)\)", (ROOT / "cmake/by_folder.cmake").read_text()).group(1).split())
 # Files in whose place another one is taken: by the build, or (lanes) by a macro that also renames their namespace.
 ALTERNATIVES = {"porttool/spirv/no_spirv.cpp", "target_core/device/lanes_avx2.h", "target_core/device/lanes_avx512.h",
                 "target_core/device/wide_lanes.h", "target_core/device/wide_trace.h"}
