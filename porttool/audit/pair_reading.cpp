@@ -388,10 +388,12 @@ std::string statement_key(const WrittenStatement& statement, const Dialect& dial
 }
 
 PairReading read_pair(const BySide<SideOfPair>& pair, const Dialect& dialect) {
-    constexpr size_t kMostStatements = 300;  // of each side where nothing is known of the past
+    constexpr size_t kMostStatements = 300;   // of each side where nothing is known of the past
+    constexpr size_t kMostTried = 4'000'000;  // each statement is held against each of the other side: 2 s
     const bool has_any_past = has_past(*pair.source.lineage) || has_past(*pair.target.lineage);
     for (const Side side : kBothSides)
         if (!has_any_past && pair[side].lineage->today().size() > kMostStatements) return {};
+    if (pair.source.lineage->today().size() * pair.target.lineage->today().size() > kMostTried) return {};
     return PairReader(pair, dialect).run(has_any_past);
 }
 

@@ -11,6 +11,7 @@
 
 #include "porttool/read/lock_upgrade.h"
 #include "porttool/read/refusals.h"
+#include "porttool/read/source_files.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -137,9 +138,13 @@ LostTexts missing_texts(const Project& project, const Disk& disk, const LockFile
 
 LostTexts lost_texts(const Project& project, const Disk& disk, const LockFile& lock) {
     LostTexts out = missing_texts(project, disk, lock);
-    for (const Print print : prints_of(lock))
-        if (print.is_known() && !out.missing.contains(print) && base_text(project, disk, print).empty())
-            out.damaged.insert(print);
+    uint64_t bytes = 0;
+    for (const Print print : prints_of(lock)) {
+        if (!print.is_known() || out.missing.contains(print)) continue;
+        const std::string recorded = bytes > kMostSourceBytes ? "" : read_base(project, disk, print);
+        bytes += recorded.size();
+        if (text_of_print(print, recorded, kNormalForm).empty()) out.damaged.insert(print);
+    }
     return out;
 }
 

@@ -54,7 +54,8 @@ struct LostTexts {
 /// Which texts of portmap.base/ are missing. Lists the folder, and reads none.
 LostTexts missing_texts(const Project& project, const Disk& disk, const LockFile& lock);
 
-/// Which are missing or damaged. Reads them all, some 6 microseconds each.
+/// Which are missing or damaged. Reads them all, some 6 microseconds each; what is more than a GiB, the most that
+/// sources may be, counts as damaged.
 LostTexts lost_texts(const Project& project, const Disk& disk, const LockFile& lock);
 
 /// What to say of them: a line, or "" for none.

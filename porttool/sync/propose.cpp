@@ -27,6 +27,14 @@ namespace {
 
 constexpr size_t kMostWords = 5000;  ///< of a unit; a longer one is a person's
 
+/// What one run goes through: a proposal has the files of its pair read anew, whatever else in them is edited as well,
+/// so that very many edits of one large file take time in the square of its length.
+struct RunBudget {
+    static constexpr uint64_t kMostBytes = uint64_t{512} << 20;
+    uint64_t bytes = 0;
+    bool is_spent() const { return bytes > kMostBytes; }
+};
+
 bool is_gone(const JudgedPair& pair) { return pair.unit.source == nullptr || pair.unit.target == nullptr; }
 
 std::vector<std::string> all_words(const NormalText& text) {
@@ -48,12 +56,13 @@ bool differ_in_qualifiers(const NormalText& before, const NormalText& now) {
 class Proposer {
 public:
     Proposer(const CheckedProject& checked, WriteSide write, const Disk& disk, const EarlierFiles& earlier,
-             Knowledge& knowledge)
+             Knowledge& knowledge, RunBudget& budget)
         : checked_(checked),
           write_(write),
           lines_(checked.lock),
           earlier_(earlier),
           knowledge_(knowledge),
+          budget_(budget),
           drafts_(checked, disk),
           record_(checked, disk, drafts_),
           new_units_(checked, earlier_, knowledge_, drafts_, record_, brought_),
@@ -96,6 +105,8 @@ private:
             out.left.push_back({std::move(why), first_line(pair, Side::Source), first_line(pair, Side::Target)});
             return out;
         };
+        if (budget_.is_spent())
+            return refuse("more edits of large files than one run looks at; apply what is proposed, or name this pair");
         const LockedPair* line = lines_.find(pair.id.source, pair.id.target);
         if (const std::string why = why_unread(pair); !why.empty()) return refuse(why);
         if (is_gone(pair)) {
@@ -146,6 +157,9 @@ private:
         if (pair.unit[from]->text.size() > kMostWords || pair.unit[to]->text.size() > kMostWords)
             return refuse("too long to be carried: more than 5000 words");
         const Proposal blank = out;
+        for (const Side side : kBothSides)
+            if (const ScannedFile* file = knowledge_.file_of(side, pair.unit[side]->file); file != nullptr)
+                budget_.bytes += file->lexed.text.size();
         carry_with_new_units(pair, *line, before, from, out);
         if (!may_follow || out.state == ProposalState::Proposed) return out;
         drafts_.take_back();  // a port that is spelled otherwise anyway
@@ -248,6 +262,7 @@ private:
     std::set<std::string, std::less<>> brought_;
     const EarlierFiles& earlier_;
     Knowledge& knowledge_;
+    RunBudget& budget_;
     Drafts drafts_;
     RecordDraft record_;
     NewUnits new_units_;
@@ -282,11 +297,11 @@ namespace {
 
 /// Proposes, and again where a struct turns out to get no port: what uses its new fields then has none either.
 SyncResult propose_all(const CheckedProject& checked, const std::vector<size_t>& pairs, WriteSide write,
-                       const Disk& disk, const EarlierFiles& earlier, Knowledge& knowledge) {
+                       const Disk& disk, const EarlierFiles& earlier, Knowledge& knowledge, RunBudget& budget) {
     std::set<size_t> kept_back;
     constexpr int kMostRounds = 4;  // then no struct is counted on
     for (int round = 0;; ++round) {
-        SyncResult out = Proposer(checked, write, disk, earlier, knowledge).run(pairs, kept_back);
+        SyncResult out = Proposer(checked, write, disk, earlier, knowledge, budget).run(pairs, kept_back);
         const size_t known = kept_back.size();
         for (size_t i = 0; i < pairs.size(); ++i) {
             const JudgedPair& pair = checked.judgement.pairs[pairs[i]];
@@ -309,7 +324,8 @@ SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pai
     std::stable_partition(whole.begin(), whole.end(), [&](size_t i) { return !is_gone(checked.judgement.pairs[i]); });
     const EarlierFiles earlier(checked, commit);
     Knowledge knowledge(checked);  // what the texts tell is the same in each round
-    SyncResult out = propose_all(checked, whole, write, disk, earlier, knowledge);
+    RunBudget budget;
+    SyncResult out = propose_all(checked, whole, write, disk, earlier, knowledge, budget);
     SyncResult last = out;
     // What leans on a partial proposal may be none without it.
     for (;;) {
@@ -318,7 +334,7 @@ SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pai
             if (last.proposals[i].state != ProposalState::Partial) next.push_back(whole[i]);
         if (next.size() == whole.size()) break;
         whole = std::move(next);
-        last = propose_all(checked, whole, write, disk, earlier, knowledge);
+        last = propose_all(checked, whole, write, disk, earlier, knowledge, budget);
     }
     out.files = std::move(last.files_with_partial);
     return out;

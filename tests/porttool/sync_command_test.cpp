@@ -512,6 +512,33 @@ TEST_F(SyncCommand, AVerificationThatHangsIsStopped) {
     EXPECT_FALSE(std::filesystem::exists(mark)) << "what it had started has ended, too";
 }
 
+// Each proposal has the files of its pair read anew: thousands of edits of one large file would take hours.
+TEST_F(SyncCommand, MoreThanOneRunLooksAtIsSaidSo) {
+    constexpr int kEdits = 20;
+    const std::string padding = "/*" + std::string(size_t{15} << 20, '-') + "*/\n";
+    const auto text = [&](const std::string& head, const std::string& factor) {
+        std::string out = padding;
+        for (int i = 0; i < kEdits; ++i)
+            out += head + "float f" + std::to_string(i) + "(float x) {\n    return x * " + factor + ";\n}\n";
+        return out;
+    };
+    write("src/k.cu", text("__device__ ", "0.5f"));
+    write("port/k.comp", text("", "0.5"));
+    ASSERT_EQ(porttool({"init", "--force", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+    write("src/k.cu", text("__device__ ", "0.25f"));
+    const nlohmann::json proposals = sync({}, 1)["proposals"];
+    size_t proposed = 0, refused = 0;
+    for (const nlohmann::json& one : proposals) {
+        proposed += one["state"] == "proposed" ? 1 : 0;
+        if (one["state"] != "refused") continue;
+        ++refused;
+        EXPECT_TRUE(holds(one["left"][0]["message"], "more edits of large files than one run looks at")) << one;
+    }
+    EXPECT_EQ(proposed, 18u);  // half a GiB and a little
+    EXPECT_EQ(proposed + refused, static_cast<size_t>(kEdits));
+    EXPECT_EQ(sync({"src/k.cu:f19"}, 0)["proposals"][0]["state"], "proposed");
+}
+
 // What prints faster than it can be read must not keep the clock from being looked at; nor what has left the group.
 TEST_F(SyncCommand, AVerificationThatPrintsWithoutEndIsStopped) {
     edit_source();
