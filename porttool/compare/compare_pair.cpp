@@ -13,11 +13,13 @@
 #include "porttool/compare/item_ends.h"
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
+#include "porttool/compare/number_kinds.h"
 #include "porttool/compare/own_fields.h"
 #include "porttool/compare/statement_patterns.h"
 #include "porttool/compare/struct_fields.h"
 #include "porttool/compare/switch_cases.h"
 #include "porttool/compare/values.h"
+#include "porttool/compare/whole_vectors.h"
 #include "porttool/normal/prelude.h"
 
 namespace porttool {
@@ -141,10 +143,10 @@ private:
         const EditsByParts by_parts(texts);
         if (!edits.equivalent && structs) edits.equivalent = gain_the_same_fields(texts);
         if (!edits.equivalent)
-            edits.equivalent = alike_in_words_of_pair(texts, languages) ||
-                               alike_without_order_of_cases(texts, languages) ||
-                               alike_in_ends_of_items(texts, languages) || alike_in_one_part(by_parts, languages) ||
-                               alike_in_statements_of_pair(texts, languages);
+            edits.equivalent =
+                alike_in_words_of_pair(texts, languages) || alike_without_order_of_cases(texts, languages) ||
+                alike_in_ends_of_items(texts, languages) || alike_in_one_part(by_parts, languages) ||
+                alike_in_statements_of_pair(texts, languages) || (!structs && alike_in_whole_vectors(texts, languages));
         if (std::string said = surely_differs(texts, structs ? nullptr : &by_parts); !said.empty()) {
             edits.differences.insert(edits.differences.begin(), std::move(said));
             edits.equivalent = false;
@@ -157,6 +159,12 @@ private:
                 edits.displaced = true;
             }
         }
+        if (!edits.displaced && !structs)
+            if (std::string said = other_kinds_of_numbers(texts, dialect_, languages); !said.empty()) {
+                edits.differences.insert(edits.differences.begin(), std::move(said));
+                edits.equivalent = false;
+                edits.displaced = true;
+            }
         if (edits.equivalent && declared_alike()) out_.standing = Standing::Equivalent;
         out_.missing = std::move(edits.differences);
         out_.displaced = edits.displaced && !edits.equivalent;
@@ -202,6 +210,20 @@ private:
                         target_before = words(one.target_before), target_now = words(one.target_now);
             return are_alike({source_before, source_now, target_before, target_now}, languages);
         });
+    }
+
+    /// True if the edits are one where what is said of each part of a value is said of the whole.
+    bool alike_in_whole_vectors(const PairTexts& texts, const BySide<Language>& languages) const {
+        const WholeVectors here({&texts.source_before, &texts.source_now}, {&texts.target_before, &texts.target_now}),
+            there({&texts.target_before, &texts.target_now}, {&texts.source_before, &texts.source_now});
+        const Text written[] = {here.written(texts.source_before), here.written(texts.source_now),
+                                there.written(texts.target_before), there.written(texts.target_now)};
+        const auto words = [&](size_t i) { return Words(written[i].begin(), written[i].end()); };
+        const Words source_before = words(0), source_now = words(1), target_before = words(2), target_now = words(3);
+        if (source_before == texts.source_before && source_now == texts.source_now &&
+            target_before == texts.target_before && target_now == texts.target_now)
+            return false;
+        return are_alike({source_before, source_now, target_before, target_now}, languages);
     }
 
     bool alike_without_order_of_cases(const PairTexts& texts, const BySide<Language>& languages) const {

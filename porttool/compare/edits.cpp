@@ -27,9 +27,9 @@ void show_moved(const StatementEdit& edit, Edit& out) {
     }
 }
 
-/// Compares the edits by the names that the texts have.
-EditComparison compare_as_named(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages) {
-    const Meaning meaning(texts, dialect, languages);
+EditComparison compare_in_manner(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages,
+                                 Meaning::Updates updates) {
+    const Meaning meaning(texts, dialect, languages, updates);
     const auto translator = [&](Side side) {
         return [&meaning, side](const Words& statement, bool in_body) {
             return meaning.translate(statement, side, in_body);
@@ -49,6 +49,15 @@ EditComparison compare_as_named(const PairTexts& texts, const Dialect& dialect, 
     }
     out.equivalent = alike && out.differences.empty();
     if (out.differences.empty() && !alike) out.differences.emplace_back("the two sides were rearranged differently");
+    return out;
+}
+
+/// Compares the edits by the names that the texts have.
+EditComparison compare_as_named(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages) {
+    EditComparison out = compare_in_manner(texts, dialect, languages, Meaning::Updates::AsWritten);
+    const bool may_be_one = !out.equivalent && !out.displaced && !texts.source_before.empty();
+    if (may_be_one && compare_in_manner(texts, dialect, languages, Meaning::Updates::InOneManner).equivalent)
+        return {.equivalent = true};
     return out;
 }
 

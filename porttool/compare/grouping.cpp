@@ -93,6 +93,7 @@ private:
         for (size_t i = 0; i < words.size(); ++i) {
             if (words[i] == "const") is_constant = true;
             if (word_is(words[i], kPromise) || words[i] == "const") continue;
+            if (word_is(words[i], kDropped) && i + 1 < words.size() && is_type_word(words[i + 1])) continue;
             if (!is_type_word(words[i])) {
                 out.push_back(words[i]);
                 continue;

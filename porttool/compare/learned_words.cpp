@@ -38,25 +38,40 @@ std::vector<std::string> parts_of_name(std::string_view name) {
     return out;
 }
 
+/// A text with one word for a type of several, `unsigned` for `unsigned int`, and where each word stands.
+struct WordsOfTypes {
+    std::vector<std::string> words;
+    std::vector<size_t> places;
+
+    explicit WordsOfTypes(const Words& text) {
+        for (size_t i = 0; i < text.size(); ++i) {
+            if (i > 0 && word_is(text[i], kTypePart) && word_is(text[i - 1], kTypePart)) continue;
+            words.emplace_back(text[i]);
+            places.push_back(i);
+        }
+    }
+};
+
 class WordLearner {
 public:
     WordLearner(const PairTexts& texts, const Dialect& dialect, const BySide<std::string_view>& ids) : texts_(texts) {
-        const std::vector<std::string> source(texts.source_before.begin(), texts.source_before.end());
-        const std::vector<std::string> target(texts.target_before.begin(), texts.target_before.end());
+        const WordsOfTypes of_source(texts.source_before), of_target(texts.target_before);
+        const std::vector<std::string>&source = of_source.words, &target = of_target.words;
         WordKeys keys(dialect);
         AlignedText a = keys.text(source, false), b = keys.text(target, false);
         join_own_parts(a, b, own_parts({}));
         const Alignment found = align(a, b, {});
-        marks_at_.resize(source.size(), Marks::Unknown);
-        type_at_.resize(source.size());
+        marks_at_.resize(texts.source_before.size(), Marks::Unknown);
+        type_at_.resize(texts.source_before.size());
         // What a function gives back tells nothing of what it takes: `REAL4 f ( REAL4 z )`, `void f ( Vector & z )`.
         const auto name = std::find(source.begin(), source.end(), "@");
         const size_t first = name == source.end() ? 0 : static_cast<size_t>(name - source.begin());
         for (size_t i = first; i < source.size(); ++i) {
             if (found.word_of[i] == Alignment::kNone) continue;
             const std::string& there = target[found.word_of[i]];
-            marks_at_[i] = note(source[i], there);
-            if (is_type_word(source[i]) && is_word_token(there)) type_at_[i] = there;
+            const size_t at = of_source.places[i];
+            marks_at_[at] = note(source[i], there);
+            if (is_type_word(source[i]) && is_word_token(there)) type_at_[at] = there;
         }
         source_words_.insert(texts.source_before.begin(), texts.source_before.end());
         target_words_.insert(texts.target_before.begin(), texts.target_before.end());

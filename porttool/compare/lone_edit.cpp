@@ -257,6 +257,14 @@ bool only_respells(const Words& before, const Words& now, const PlainStatements&
     return are_respelled({old_one, manner}, {new_one, manner});
 }
 
+/// True if an edit only declares numbers together, or each by itself. Their order stays, so that it is no matter what
+/// macros make of the words.
+bool splits_declarations(const Words& before, const Words& now, const Translator& translator) {
+    const StatementEdit edit =
+        statement_edit(with_plain_declarations(before), with_plain_declarations(now), translator);
+    return edit.lost.empty() && edit.gained.empty();
+}
+
 /// Without what differs between languages: of defaults their values, of an instantiation its arguments.
 std::string what_it_says(const Statement& said) {
     std::string out = said.common[0];
@@ -300,6 +308,8 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
             }
         }
     if (!out.means_nothing && is_code) out.means_nothing = with_sorted_cases(old_text) == with_sorted_cases(bare(now));
+    if (!out.means_nothing && is_code && splits_declarations(old_text, bare(now), translator))
+        out.means_nothing = out.respells = true;
     if (!out.means_nothing && is_code && !names_count)
         out.means_nothing = out.respells = only_respells(old_text, bare(now), plain, language, dialect);
     if (!out.means_nothing) out.edit = shown_edit(edit);

@@ -7,6 +7,7 @@
 
 #include "porttool/compare/casts.h"
 #include "porttool/compare/phrases.h"
+#include "porttool/compare/plain_updates.h"
 #include "porttool/language/spelling.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_form.h"
@@ -157,8 +158,8 @@ std::string runtime_name(std::string_view token) {
 
 }  // namespace
 
-Meaning::Meaning(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages)
-    : dialect_(dialect), languages_(languages), literals_(Literals::C) {
+Meaning::Meaning(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages, Updates updates)
+    : dialect_(dialect), languages_(languages), literals_(Literals::C), updates_(updates) {
     for (const Side side : kBothSides)
         if (traits_of(languages[side]).literals == Literals::Shading) literals_ = Literals::Shading;
     note_names(texts.source_before, Side::Source);
@@ -180,6 +181,7 @@ void Meaning::note_names(const Words& tokens, Side side) {
         if (is_word_token(token) && dialect_.meaning(token) == nullptr)
             spellings_[side][folded(runtime_name(token))].insert(token);
     note_vectors(tokens, languages_[side], vectors_[side]);
+    counters_[side].note(tokens);
     note_contexts(tokens, contexts_[side]);
     in_order_ = in_order_ || std::find(tokens.begin(), tokens.end(), "in_order") != tokens.end();
     for (auto& [name, scopes] : scopes_in(tokens, dialect_)) scopes_[side][name].insert(scopes.begin(), scopes.end());
@@ -315,6 +317,12 @@ std::vector<std::string> Meaning::translate(const Words& statement, Side side, b
     drop_status_check(out);
     write_plain_barrier(out);
     drop_cast_to_declared_type(out);
+    write_steps_first(out);
+    counters_[side].write_plain(out);
+    if (updates_ == Updates::InOneManner) {
+        out = with_plain_limits(out, number("0.0f"), number("1.0f"));
+        write_plain_update(out);
+    }
     write_plain_transfer(out, {of_context, in_order_, directed_});
     return out;
 }

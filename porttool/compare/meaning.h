@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "porttool/compare/plain_updates.h"
 #include "porttool/compare/runtime_calls.h"
 #include "porttool/compare/vector_parts.h"
 #include "porttool/language/dialect.h"
@@ -30,7 +32,13 @@ struct PairTexts {
 ///     OpenCL, CUDA, C        v . s1        v . y        v [ 1 ]            one component: v . y
 class Meaning {
 public:
-    Meaning(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages);
+    /// `updates`: how what is updated and limited is written (Updates).
+    enum class Updates : uint8_t {
+        AsWritten,
+        InOneManner,  ///< `x = x + a` is `x += a`, and `clamp ( x , a , b )` is `min ( max ( x , a ) , b )`
+    };
+    Meaning(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages,
+            Updates updates = Updates::AsWritten);
 
     /// A statement's words. `in_body`: not the function's head, so that storage (`static`, group-shared memory) counts.
     std::vector<std::string> translate(const Words& statement, Side side, bool in_body) const;
@@ -55,9 +63,11 @@ private:
     BySide<std::set<std::string_view>> old_scopes_;         ///< in the texts before
     std::map<std::string_view, std::string_view> renamed_;  ///< the source's scope for one of the port's
     BySide<std::set<std::string_view>> objects_;  ///< parameters whose members the other side names without an object
+    BySide<PlainCounters> counters_;              ///< loops' whose type is a matter of manner
     BySide<VectorNames> vectors_;                 ///< what each side declares as vectors
     BySide<ContextNames> contexts_;               ///< what each side hands on and the other does not name
-    bool directed_ = false, in_order_ = false;    ///< see TransferRules
+    Updates updates_;
+    bool directed_ = false, in_order_ = false;  ///< see TransferRules
 };
 
 }  // namespace porttool

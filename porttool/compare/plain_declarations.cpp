@@ -7,6 +7,7 @@
 
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
+#include "porttool/normal/directive_end.h"
 
 namespace porttool {
 namespace {
@@ -115,9 +116,12 @@ Words with_plain_declarations(const Words& tokens) {
     Words out;
     StatementEnds ends(tokens);
     int parentheses = 0;
+    size_t behind_directive = 0;
     for (size_t i = 0; i < tokens.size(); ++i) {
+        if (tokens[i] == "#") behind_directive = directive_end(tokens, i);
         parentheses += tokens[i] == "(" ? 1 : tokens[i] == ")" ? -1 : 0;
-        const bool starts = parentheses == 0 && i > 0 && is_one_of(tokens[i - 1], {";", "{", "}"});
+        const bool starts =
+            parentheses == 0 && i > 0 && (is_one_of(tokens[i - 1], {";", "{", "}"}) || i == behind_directive);
         const bool may_be = starts && (tokens[i] == "const" || is_type_word(tokens[i]));
         const size_t end = may_be ? ends.of(i) : tokens.size();
         const auto found = end < tokens.size() ? declaration_at(tokens, {i, end}) : std::nullopt;

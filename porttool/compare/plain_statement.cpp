@@ -6,6 +6,7 @@
 
 #include "porttool/compare/casts.h"
 #include "porttool/compare/phrases.h"
+#include "porttool/compare/plain_updates.h"
 #include "porttool/language/spelling.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
@@ -56,32 +57,6 @@ bool all_idle(const Words& words, size_t first, size_t end) {
         i = at(words, i + 1) == "(" ? after_attribute(words, i + 1) : i + 1;
     }
     return any;
-}
-
-/// `i ++` and `++ i` whose value nobody takes: the first becomes the other.
-void write_step_first(Text& words, size_t first, size_t end) {
-    if (end <= first + 1 || (words[end - 1] != "++" && words[end - 1] != "--")) return;
-    for (size_t i = first; i + 1 < end; ++i)
-        if (!is_word_token(words[i]) && !is_number_token(words[i]) && words[i] != "." && words[i] != "[" &&
-            words[i] != "]")
-            return;
-    std::rotate(words.begin() + static_cast<std::ptrdiff_t>(first),
-                words.begin() + static_cast<std::ptrdiff_t>(end) - 1, words.begin() + static_cast<std::ptrdiff_t>(end));
-}
-
-void write_steps_first(Text& words) {
-    if (words.empty()) return;
-    if (words[0] != "for") return write_step_first(words, 0, words.size());
-    if (words.back() != ")") return;
-    size_t last = words.size() - 1;
-    int depth = 0;
-    while (last > 0 && (depth > 0 || words[last - 1] != ";")) {
-        --last;
-        if (words[last] == ")" || words[last] == "]") ++depth;
-        if (words[last] == "(" || words[last] == "[") --depth;
-        if (depth == 0 && words[last] == ",") return;
-    }
-    write_step_first(words, last, words.size() - 1);
 }
 
 /// Parentheses around the whole of what is returned or assigned go.

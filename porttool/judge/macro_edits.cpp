@@ -151,6 +151,44 @@ void MacroEdits::judge(JudgedPair& pair, const LockedPair* line) {
         if (!declared[side].empty()) edits[side] += (edits[side].empty() ? "" : " ") + declared[side];
     for (const Side side : kBothSides)
         if (!edits[side].empty()) tell(pair, side, edits[side]);
+    tell_unlike_numbers(pair, *line);
+}
+
+/// A name that both texts came to use and that is one number here and another one there: an enumerator, a constant.
+void MacroEdits::tell_unlike_numbers(JudgedPair& pair, const LockedPair& line) {
+    BySide<NormalText> texts_then;
+    BySide<std::set<std::string_view>> then;
+    for (const Side side : kBothSides) {
+        const Print recorded = (side == Side::Source ? line.source_prints : line.target_prints).written;
+        if (pair.unit[side] == nullptr || recorded == pair.unit[side]->prints.written) return;
+        texts_then[side] = facts_.base_text(recorded);
+        const NormalText& text = texts_then[side];
+        if (text.size() == 0) return;
+        for (size_t i = 0; i < text.size(); ++i) then[side].insert(text[i]);
+    }
+    std::set<std::string_view> asked;
+    const NormalText &source = pair.unit.source->text, &target = pair.unit.target->text;
+    for (size_t i = 0; i < source.size(); ++i) {
+        const std::string_view word = source[i];
+        if (!is_word_token(word) || then.source.contains(word) || !asked.insert(word).second) continue;
+        if (then.target.contains(word) || !uses_word(source, word) || !uses_word(target, word)) continue;
+        BySide<std::string> values;
+        bool is_watched = true;
+        for (const Side side : kBothSides) {
+            const auto declared = macros(side).first_seen(pair.unit[side]->file, "=" + std::string(word));
+            if (!declared) continue;
+            values[side] = value_of(declared->text);
+            is_watched = is_watched && is_told_elsewhere(side, *declared);
+        }
+        if (!is_number_token(values.source) || !is_number_token(values.target) || is_watched) continue;
+        if (number_value(values.source) == number_value(values.target)) continue;
+        pair.changed = true;
+        pair.equivalent = false;
+        findings_.add(Rule::PortDiffers, pair, {},
+                      fmt::format("both sides came to use {}, which is {} in the source and {} in the port", word,
+                                  values.source, values.target),
+                      "new word " + std::string(word));
+    }
 }
 
 /// Held against the text as it was recorded: a unit that was edited to use a macro tells of that by itself.

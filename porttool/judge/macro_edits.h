@@ -43,6 +43,7 @@ private:
     std::multiset<std::string> values_of(const JudgedPair& pair, Side side, const std::string& edit);
     bool stand_for_each_other(const JudgedPair& pair, const BySide<std::string>& edits) const;
     std::string now_of(const JudgedPair& pair, const LockedPair& line, Side side);
+    void tell_unlike_numbers(JudgedPair& pair, const LockedPair& line);
     void tell(JudgedPair& pair, Side side, const std::string& edit);
     bool is_told_by_edit(const JudgedPair& pair, const Finding& of_macros) const;
     WordMacros& macros(Side side);

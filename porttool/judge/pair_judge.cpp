@@ -10,15 +10,18 @@
 #include "porttool/compare/computed_values.h"
 #include "porttool/compare/declared_otherwise.h"
 #include "porttool/compare/grouping.h"
+#include "porttool/compare/guarded_words.h"
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
 #include "porttool/compare/named_parts.h"
+#include "porttool/compare/other_rounding.h"
 #include "porttool/compare/own_fields.h"
 #include "porttool/compare/own_words.h"
 #include "porttool/compare/paired_names.h"
 #include "porttool/compare/runtime_upkeep.h"
 #include "porttool/compare/runtime_versions.h"
 #include "porttool/compare/settled_edits.h"
+#include "porttool/compare/statement_edit.h"
 #include "porttool/compare/switch_arms.h"
 #include "porttool/compare/switch_cases.h"
 #include "porttool/compare/unread_locals.h"
@@ -422,6 +425,35 @@ void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found,
     if (finding.level > Level::Note && !found.displaced) weigh_edits(pair, before, finding);
 }
 
+/// True if the edits brought one side more statements than the other, and both texts are sure to compute the same now.
+/// Statements that stand for each other one by one are held to their words.
+bool compute_alike_now(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages) {
+    const auto gained = [](const Words& before, const Words& now) {
+        const auto as_written = [](const Words& words, bool) {
+            return std::vector<std::string>(words.begin(), words.end());
+        };
+        return statement_edit(before, now, as_written).gained.size();
+    };
+    if (gained(texts.source_before, texts.source_now) == gained(texts.target_before, texts.target_now)) return false;
+    const Words none;
+    const BySide<Words> now{texts.source_now, texts.target_now};
+    return guarded_difference({none, now.source, none, now.target}).empty() && compute_alike(now, dialect, languages);
+}
+
+/// True if edits of both sides are one but for what is computed in one step or in several.
+bool differ_in_rounding(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages) {
+    std::vector<std::string> said[4];
+    Words words[4];
+    const Words* texts_of_pair[] = {&texts.source_before, &texts.source_now, &texts.target_before, &texts.target_now};
+    bool any = false;
+    for (size_t i = 0; i < 4; ++i) {
+        said[i] = with_other_rounding(*texts_of_pair[i], dialect);
+        words[i].assign(said[i].begin(), said[i].end());
+        any = any || words[i] != *texts_of_pair[i];
+    }
+    return any && compare_edits({words[0], words[1], words[2], words[3]}, dialect, languages).equivalent;
+}
+
 /// Edits of both sides of a function that seem to be one are a note. Beside the text, how the files declare what it
 /// uses may have changed.
 void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& before, Finding& finding) const {
@@ -454,6 +486,11 @@ void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& be
         weigh(Level::Note, "the same labels joined an arm on both sides");
     else if (is_declared_alike && (edits_spot_by_spot(texts, dialect_) || edits_spot_by_spot(learned, dialect_)))
         weigh(Level::Note, "word for word the same came and went, at the same places");
+    else if (is_declared_alike && compute_alike_now(texts, dialect_, languages))
+        weigh(Level::Note, "both compute the same now");
+    else if (is_declared_alike &&
+             (differ_in_rounding(texts, dialect_, languages) || differ_in_rounding(learned, dialect_, languages)))
+        weigh(Level::Note, "one side computes in several steps what the other computes in one");
     else if (edits_in_own_words(texts, dialect_))
         weigh(grouping_of_edits(texts, dialect_) == Grouping::Alike && !edits_contradict(learned, dialect_)
                   ? Level::Note

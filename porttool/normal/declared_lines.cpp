@@ -11,6 +11,7 @@
 #include "porttool/scan/declared_words.h"
 #include "porttool/scan/macros.h"
 #include "porttool/text/fingerprint.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
@@ -24,6 +25,8 @@ public:
         for (const Unit& unit : file_.units) {
             if (unit.kind == UnitKind::Constant) add_constant(unit);
             if (unit.kind == UnitKind::Struct && unit.body.first > 0) by_brace.emplace(unit.body.first - 1, &unit);
+            if (unit.kind == UnitKind::Struct && is_one_of(lexed_.view(unit.tokens.first), {"cbuffer", "tbuffer"}))
+                add_members(unit);
         }
         for (const FileVariable& variable : file_.variables) {
             if (variable.about != FileVariable::Declares) continue;
@@ -79,6 +82,19 @@ private:
 
     void add(uint32_t name, const std::string& text) {
         out_.push_back({"=" + std::string(lexed_.view(name)), in_short(text), lexed_.tokens[name].line});
+    }
+
+    /// The members of one of HLSL's blocks, which functions name as they name variables.
+    void add_members(const Unit& block) {
+        uint32_t first = block.body.first;
+        for (uint32_t at = first; at < block.body.end; ++at) {
+            if (lexed_.view(at) != ";") continue;
+            uint32_t name = first;
+            for (uint32_t k = first; k < at && !is_one_of(lexed_.view(k), {"[", ":"}); ++k)
+                if (lexed_.tokens[k].kind == TokenKind::Identifier) name = k;
+            if (is_code(name) && lexed_.tokens[name].kind == TokenKind::Identifier) add(name, text_of({first, at}));
+            first = at + 1;
+        }
     }
 
     /// A long text with the hash of its value, or of all of it, in the place of most of that: of a table of numbers no

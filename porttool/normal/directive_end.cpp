@@ -46,6 +46,18 @@ size_t pragma_end(const Words& words, size_t i) {
     return std::min(i, words.size());
 }
 
+/// After `defined ( A ) || ! defined B`, or 0 where the condition is another one: of that no word tells the end.
+size_t condition_end(const Words& words, size_t i) {
+    for (;;) {
+        if (word(words, i) == "!") ++i;
+        if (word(words, i) != "defined") return 0;
+        i += word(words, i + 1) == "(" ? 4 : 2;
+        if (i > words.size()) return 0;
+        if (word(words, i) != "||" && word(words, i) != "&&") return i;
+        ++i;
+    }
+}
+
 }  // namespace
 
 size_t directive_end(const Words& words, size_t at) {
@@ -53,8 +65,7 @@ size_t directive_end(const Words& words, size_t at) {
     const std::string_view kind = word(words, at + 1);
     if (kind == "endif" || kind == "else") return at + 2;
     if (kind == "ifdef" || kind == "ifndef" || kind == "undef") return std::min(at + 3, words.size());
-    if (kind == "if" && word(words, at + 2) == "defined")
-        return std::min(at + (word(words, at + 3) == "(" ? 6 : 4), words.size());
+    if (kind == "if" || kind == "elif") return condition_end(words, at + 2);
     if (kind != "pragma") return 0;
     if (word(words, at + 2) == "unroll") return at + (is_number_token(word(words, at + 3)) ? 4 : 3);
     return word(words, at + 2) == "omp" || word(words, at + 2) == "acc" ? pragma_end(words, at + 3) : 0;

@@ -9,6 +9,7 @@
 
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
+#include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
 
 namespace porttool {
@@ -21,15 +22,46 @@ constexpr size_t kMostWordsOfStatement = 400;
 
 bool is_null(std::string_view word) { return is_one_of(word, {"NULL", "nullptr"}); }
 
-/// The names and the numbers of a statement, without those that a respelling brings or takes: `NULL`, 0, 1, `while`.
-std::set<std::string_view> names_in(const Text& words) {
-    std::set<std::string_view> out;
-    for (const std::string& word : words) {
-        const bool counts = is_word_token(word) || is_number_token(word) || local_of(word) != 0;
-        if (counts && !is_null(word) && !is_one_of(word, {"0", "1", "while", "for"})) out.insert(word);
+/// The names of a statement, without those that a respelling brings or takes, `NULL` and `while`, and its numbers.
+struct NamesAndNumbers {
+    std::set<std::string_view> names;
+    std::set<std::string_view> reals;
+    std::set<std::string> wholes;  ///< by their values
+
+    explicit NamesAndNumbers(const Text& words) {
+        for (const std::string& word : words) {
+            if (is_number_token(word)) {
+                const bool is_real = word.find_first_of(".fh") != std::string::npos && !word.starts_with("0x");
+                if (is_real)
+                    reals.insert(word);
+                else
+                    wholes.insert(number_value(word));
+            } else if ((is_word_token(word) || local_of(word) != 0) && !is_null(word) &&
+                       !is_one_of(word, {"while", "for"})) {
+                names.insert(word);
+            }
+        }
     }
-    return out;
-}
+
+    /// True if each real number that this one has and the other has not stands for a whole one there: `0.0f` for `0`.
+    /// Whole numbers come and go but for that as 0 and 1 may.
+    bool may_say(const NamesAndNumbers& other) const {
+        if (names != other.names) return false;
+        return std::all_of(reals.begin(), reals.end(),
+                           [&](std::string_view real) {
+                               return other.reals.contains(real) || other.wholes.contains(number_value(real));
+                           }) &&
+               std::all_of(wholes.begin(), wholes.end(), [&](const std::string& whole) {
+                   return other.wholes.contains(whole) || is_one_of(whole, {"0", "1"}) || other.has_real_of(whole);
+               });
+    }
+
+private:
+    bool has_real_of(const std::string& whole) const {
+        return std::any_of(reals.begin(), reals.end(),
+                           [&](std::string_view real) { return number_value(real) == whole; });
+    }
+};
 
 /// A stretch of a statement's words.
 using Part = std::pair<size_t, size_t>;
@@ -58,6 +90,7 @@ public:
     void read_head(const Text& words) {
         const auto name = static_cast<size_t>(std::find(words.begin(), words.end(), "@") - words.begin());
         if (name + 2 >= words.size() || words[name + 1] != "(") return;
+        if (name > 0 && is_word_token(words[name - 1])) result_ = words[name - 1];
         int depth = 0;
         size_t first = name + 2;
         for (size_t i = name + 1; i < words.size(); ++i) {
@@ -82,7 +115,8 @@ public:
         if (words.empty() || words.size() > kMostWordsOfStatement) throw Unread();
         const std::string& word = words[0];
         if (is_one_of(word, {"#", "else", "do", "case", "default", "@"})) throw Unread();
-        if (word == "return") return words.size() == 1 ? table_.node("nothing") : value_of(words, {1, words.size()});
+        if (word == "return")
+            return words.size() == 1 ? table_.node("nothing") : value_of(words, {1, words.size()}, result_);
         if (is_one_of(word, {"if", "while"})) {
             if (words.size() < 4 || words[1] != "(" || words.back() != ")") throw Unread();
             const Value held = condition_of(words, {2, words.size() - 1}), nothing = table_.node("nothing");
@@ -125,9 +159,11 @@ private:
         return out;
     }
 
-    Value value_of(const Text& words, Part part) {
+    /// A value as a `type`, where that is a number's.
+    Value value_of(const Text& words, Part part, std::string_view type) {
         MachineState state = unknown();
-        const Value value = machine_.value_of(words, part.first, part.second, state);
+        Value value = machine_.value_of(words, part.first, part.second, state);
+        if (is_scalar_type(type) && is_scalar_type(table_.type(value))) value = table_.converted(value, type);
         return table_.node("value", {value, all_of(state)});
     }
 
@@ -189,6 +225,7 @@ private:
 
     ValueTable& table_;
     Machine machine_;
+    std::string result_;              ///< the type of what is given back
     std::map<size_t, Value> locals_;  ///< that were declared: what each holds, or where it is
 };
 
@@ -229,7 +266,8 @@ bool are_respelled(const ReadFunction& one, const ReadFunction& other) {
                 second.pass(there[i].common);
                 continue;
             }
-            if (names_in(here[i].common) != names_in(there[i].common)) return false;
+            const NamesAndNumbers one_says(here[i].common), other_says(there[i].common);
+            if (!one_says.may_say(other_says) || !other_says.may_say(one_says)) return false;
             if (first.run(here[i].common) != second.run(there[i].common)) return false;
         }
     } catch (const Unread&) {
