@@ -31,24 +31,44 @@ std::vector<std::string_view> lines_of(std::string_view bytes) {
     return lines;
 }
 
-/// How many UTF-16 units, the way JavaScript counts, the first `count` bytes of a line take in the page.
-uint32_t utf16_units(std::string_view line, size_t count) {
-    uint32_t units = 0;
-    for (size_t at = 0; at < std::min(count, line.size());) {
-        const size_t length = utf8_length(line.substr(at));
-        units += length == 4 ? 2 : 1;
-        at += std::max<size_t>(1, length);
-    }
-    return units;
-}
+/// How many UTF-16 units, the way JavaScript counts, the first bytes of a line take in the page. Asked in the order of
+/// the line it goes through it once.
+class Utf16Count {
+public:
+    explicit Utf16Count(std::string_view line) : line_(line) {}
 
-/// first, length, 1 if the dialect makes both sides equal here; for each mark.
-ordered_json marks_json(const std::vector<Mark>& marks, std::string_view line) {
-    ordered_json out = ordered_json::array();
-    for (const Mark& mark : marks) {
-        const uint32_t first = utf16_units(line, mark.first), end = utf16_units(line, mark.first + mark.length);
-        for (const uint32_t value : {first, end - first, mark.translated ? 1u : 0u}) out.push_back(value);
+    uint32_t of_first(size_t count) {
+        if (count < at_) at_ = 0, units_ = 0;
+        for (const size_t end = std::min(count, line_.size()); at_ < end;) {
+            const size_t length = static_cast<signed char>(line_[at_]) >= 0 ? 1 : utf8_length(line_.substr(at_));
+            units_ += length == 4 ? 2 : 1;
+            at_ += std::max<size_t>(1, length);
+        }
+        return units_;
     }
+
+private:
+    std::string_view line_;
+    size_t at_ = 0;
+    uint32_t units_ = 0;
+};
+
+/// first, length, 1 if the dialect makes both sides equal here; for each mark. One for all where there are so many that
+/// nobody sees one among them: thousands of units in one line would each have those of all.
+ordered_json marks_json(const std::vector<Mark>& marks, std::string_view line) {
+    constexpr size_t kMostMarks = 500;
+    ordered_json out = ordered_json::array();
+    Utf16Count units(line);
+    const auto add = [&](size_t first_byte, size_t end_byte, bool translated) {
+        const uint32_t first = units.of_first(first_byte), end = units.of_first(end_byte);
+        for (const uint32_t value : {first, end - first, translated ? 1u : 0u}) out.push_back(value);
+    };
+    const auto is_translated = [](const Mark& mark) { return mark.translated; };
+    if (marks.size() > kMostMarks)
+        add(marks.front().first, marks.back().first + marks.back().length,
+            std::all_of(marks.begin(), marks.end(), is_translated));
+    else
+        for (const Mark& mark : marks) add(mark.first, mark.first + mark.length, mark.translated);
     return out;
 }
 
