@@ -56,6 +56,17 @@ bool uses_word(const NormalText& text, std::string_view word) {
     return false;
 }
 
+/// The words of a text that are neither locals of its own nor members, as uses_word() has them.
+std::set<std::string_view> used_words(const NormalText& text) {
+    const std::vector<size_t> locals = local_numbers(text.words());
+    std::set<std::string_view> out;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const bool is_member = i > 0 && (text[i - 1] == "." || text[i - 1] == "->");
+        if (!is_member && is_word_token(text[i]) && (locals.empty() || locals[i] == 0)) out.insert(text[i]);
+    }
+    return out;
+}
+
 /// What a declaration gives its word, numbers by their values: `1.5` of `const float gain = 1.5f` and of
 /// `#define AMPLIFY 1.5`; of a type or a block all that it says.
 std::string value_of(std::string_view text) {
@@ -166,12 +177,9 @@ void MacroEdits::tell_unlike_numbers(JudgedPair& pair, const LockedPair& line) {
         if (text.size() == 0) return;
         for (size_t i = 0; i < text.size(); ++i) then[side].insert(text[i]);
     }
-    std::set<std::string_view> asked;
-    const NormalText &source = pair.unit.source->text, &target = pair.unit.target->text;
-    for (size_t i = 0; i < source.size(); ++i) {
-        const std::string_view word = source[i];
-        if (!is_word_token(word) || then.source.contains(word) || !asked.insert(word).second) continue;
-        if (then.target.contains(word) || !uses_word(source, word) || !uses_word(target, word)) continue;
+    const auto used_there = used_words(pair.unit.target->text);
+    for (const std::string_view word : used_words(pair.unit.source->text)) {
+        if (then.source.contains(word) || then.target.contains(word) || !used_there.contains(word)) continue;
         BySide<std::string> values;
         bool is_watched = true;
         for (const Side side : kBothSides) {
