@@ -3,6 +3,7 @@
 #include "porttool/command/output_file.h"
 
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "porttool/read/source_glob.h"
@@ -47,14 +48,38 @@ std::string written_place(std::filesystem::path file) {
     return plain_path(file.generic_string());
 }
 
-/// True for a name in the project's folder that a link takes out of it: a commit can hold that link.
-bool leads_out(const Project& project, const std::string& path) {
-    const auto beneath = [](const std::string& file, const std::string& folder) {
-        return file.starts_with(folder.ends_with('/') ? folder : folder + "/");
+bool is_beneath(const std::string& file, const std::string& folder) {
+    return file.starts_with(folder.ends_with('/') ? folder : folder + "/");
+}
+
+/// The folder in which git keeps what it knows of a work tree; "" where the folder is none.
+std::string git_folder_of(const std::filesystem::path& work_tree) {
+    const std::filesystem::path entry = work_tree / ".git";
+    std::error_code error;
+    if (std::filesystem::is_directory(entry, error)) return plain_path(entry.generic_string());
+    constexpr std::string_view kGitDir = "gitdir: ";
+    std::string line;
+    if (!std::filesystem::is_regular_file(entry, error) || !std::getline(std::ifstream(entry), line)) return {};
+    if (!line.starts_with(kGitDir)) return {};
+    return plain_path((work_tree / line.substr(kGitDir.size())).generic_string());
+}
+
+/// Where a link takes a name in the project's folder, or in that of a repository around it, that it must not: out of
+/// the folder, or to what git keeps. A commit can hold that link. "" if nowhere.
+std::string led_to(const Project& project, const std::string& path) {
+    const std::string named = absolute_path(path), written = written_place(named), root = plain_path(project.root);
+    const auto leaves = [&](const std::string& folder) {
+        return is_beneath(named, folder) && !is_beneath(written, plain_path(folder));
     };
-    const std::string named = absolute_path(path), root = plain_path(project.root);
-    const bool is_named_beneath = beneath(named, root) || beneath(named, absolute_path(project.root));
-    return !project.root.empty() && is_named_beneath && !beneath(written_place(named), root);
+    if (!project.root.empty())
+        for (const std::string& folder : {root, absolute_path(project.root)})
+            if (leaves(folder)) return "out of " + terminal_text(project.root);
+    for (std::filesystem::path folder = std::filesystem::path(named).parent_path();; folder = folder.parent_path()) {
+        const std::string git = git_folder_of(folder);
+        if (!git.empty() && leaves(folder.generic_string())) return "out of " + terminal_text(folder.generic_string());
+        if (!git.empty() && is_beneath(written, git) && !is_beneath(named, git)) return "into git's own folder";
+        if (!folder.has_relative_path()) return {};
+    }
 }
 
 /// What a file is to a project, or "".
@@ -80,8 +105,8 @@ void require_output(const Options& options, const std::string& option, const std
         throw CannotDo(option + ": there is no folder " + terminal_text(folder) + "; make it first");
     if (disk.is_directory(path)) throw CannotDo(option + " is a folder; name a file in it");
     const Project project = named_project(options, disk);
-    if (leads_out(project, path))
-        throw CannotDo(option + " is a link, or lies behind one, that leads out of " + terminal_text(project.root) +
+    if (const std::string place = led_to(project, path); !place.empty())
+        throw CannotDo(option + " is a link, or lies behind one, that leads " + place +
                        ": a change may have brought it\nRemove the link, or name the file that it leads to");
     if (!disk.exists(path)) return;
     const std::string file = plain_path(absolute_path(path));

@@ -841,6 +841,62 @@ TEST_F(HostileChange, OutputDoesNotFollowALinkOutOfTheTree) {
     for (const char* file : {"none", "e.json"}) EXPECT_FALSE(fs::exists(outside / file)) << "made there";
 }
 
+TEST_F(HostileChange, OutputDoesNotFollowALinkIntoWhatGitKeeps) {
+    const fs::path hook = root / ".git" / "hooks" / "pre-commit";
+    fs::create_directories(hook.parent_path());
+    std::ofstream(hook) << "exit 0";
+    fs::create_symlink(".git/hooks/pre-commit", root / "a.txt");
+    fs::create_directory_symlink(".git/hooks", root / "hooks");
+    fs::create_symlink(".git/none", root / "b.txt");
+    for (const char* file : {"a.txt", "hooks/pre-commit", "b.txt"}) {
+        const CommandRun got = porttool({"check", "-o", file});
+        EXPECT_EQ(got.exit_code, 2) << file;
+        EXPECT_NE(got.err.find("leads into git's own folder"), std::string::npos) << file << got.err;
+    }
+    EXPECT_EQ(read_text(hook), "exit 0");
+    EXPECT_FALSE(fs::exists(root / ".git" / "none"));
+    // What stays in the tree is followed, and who names git's folder means it.
+    fs::create_directory(root / "build");
+    fs::create_directory_symlink("build", root / "out");
+    for (const char* file : {"out/a.txt", ".git/report.txt"}) EXPECT_EQ(porttool({"check", "-o", file}).exit_code, 0);
+}
+
+TEST_F(HostileChange, OutputDoesNotFollowALinkOutOfTheRepositoryAroundTheProject) {
+    const fs::path whole = root, part = root / "part";
+    fs::create_directories(part / "src");
+    for (const char* side : {"a.cu", "a.cpp"}) std::ofstream(part / "src" / side) << "float f(float x) { return x; }";
+    std::ofstream(part / "portmap.toml") << "[sides]\nsource = [\"src/*.cu\"]\ntarget = [\"src/*.cpp\"]\n";
+    fs::create_symlink(outside / "notes.txt", root / "a.json");
+    fs::create_directory_symlink(outside, root / "c");
+    const std::string above = whole.string() + "/";
+    root = part;
+    for (const std::string& file : {above + "a.json", above + "c/e.json"}) {
+        const CommandRun got = porttool({"check", "--format", "json", "-o", file});
+        EXPECT_EQ(got.exit_code, 2) << file;
+        EXPECT_NE(got.err.find("leads out of"), std::string::npos) << file << got.err;
+    }
+    EXPECT_EQ(read_text(outside / "notes.txt"), "precious");
+    EXPECT_FALSE(fs::exists(outside / "e.json"));
+    root = whole;
+}
+
+TEST_F(HostileChange, AMapThatIsGoneLeavesItsFolderToNoOther) {
+    const fs::path whole = root, part = root / "part";
+    fs::create_directories(part / "src");
+    for (const char* side : {"a.cu", "a.cpp"}) std::ofstream(part / "src" / side) << "float f(float x) { return x; }";
+    std::ofstream(part / "portmap.toml") << "[sides]\nsource = [\"src/*.cu\"]\ntarget = [\"src/*.cpp\"]\n";
+    git("add -A && git commit -qm part && git branch -f then && git rm -q part/portmap.toml && git commit -qm gone");
+    root = part;
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"check", "--base", "then"}, {"check", "--base", "then", "--trusted-map"}}) {
+        const CommandRun got = porttool(command);
+        EXPECT_EQ(got.exit_code, 2) << got.out;
+        EXPECT_NE(got.err.find("is gone, which was there at the merge base of then"), std::string::npos) << got.err;
+    }
+    root = whole;
+    EXPECT_EQ(porttool({"check", "--base", "then"}).exit_code, 0);
+}
+
 TEST_F(HostileChange, OutputGoesToWhatTheFileIs) {
     const fs::path shared = fs::exists("/dev/shm")
                                 ? fs::path("/dev/shm") / ("porttool_test" + std::to_string(::getpid()) + ".txt")
