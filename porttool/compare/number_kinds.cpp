@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "porttool/compare/brackets.h"
 #include "porttool/compare/casts.h"
 #include "porttool/compare/hints.h"
 #include "porttool/compare/statement_edit.h"
@@ -84,7 +85,7 @@ private:
         int depth = 0;
         for (const size_t most = i + kLongest; i < std::min(text.size(), most); ++i) {
             if (depth == 0 && is_one_of(text[i], {",", ";", ")", "}", ":"})) break;
-            depth += is_one_of(text[i], {"(", "[", "{"}) ? 1 : is_one_of(text[i], {")", "]", "}"}) ? -1 : 0;
+            depth += deeper(text[i]);
         }
         return i;
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "porttool/compare/brackets.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/normal/normal_form.h"
@@ -38,22 +39,6 @@ private:
     }
     static bool is_reach(std::string_view before) { return before == "." || before == "->"; }
 
-    /// What stands in the brackets at `open`, and the place behind them; nothing if they do not close soon.
-    std::pair<std::vector<Argument>, size_t> arguments(size_t open) const {
-        constexpr size_t kLongest = 256;
-        std::vector<Argument> out;
-        int depth = 0;
-        size_t first = open + 1;
-        for (size_t i = open; i < text_.size() && i < open + kLongest; ++i) {
-            depth += is_one_of(text_[i], {"(", "[", "{"}) ? 1 : is_one_of(text_[i], {")", "]", "}"}) ? -1 : 0;
-            if (depth > 1 || (depth == 1 && text_[i] != ",")) continue;
-            out.emplace_back(first, i);
-            first = i + 1;
-            if (depth == 0) return {out, i + 1};
-        }
-        return {};
-    }
-
     void write(size_t first, size_t end) {
         if (++depth_ > kDeepest)
             for (; first < end; ++first) out_.emplace_back(text_[first]);
@@ -72,11 +57,11 @@ private:
         const size_t name = behind_scope(i);
         const std::string call = called(name);
         if (call == "fma") {
-            const auto [given, end] = arguments(name + 1);
+            const auto [given, end] = call_arguments(text_, name + 1);
             if (given.size() == 3) return write_sum(given, end);
         }
         if (call == "pow") {
-            const auto [given, end] = arguments(name + 1);
+            const auto [given, end] = call_arguments(text_, name + 1);
             const bool is_square = given.size() == 2 && given[0].second == given[0].first + 1 &&
                                    is_word_token(text_[given[0].first]) && is_number(given[1], "2");
             if (is_square) {
@@ -88,7 +73,7 @@ private:
         if (is_number({i, i + 1}, "1") && word(i + 1) == "/" && !is_joined_before(i)) {
             const size_t root = behind_scope(i + 2);
             if (called(root) == "sqrt") {
-                const auto [given, end] = arguments(root + 1);
+                const auto [given, end] = call_arguments(text_, root + 1);
                 if (given.size() == 1 && !is_one_of(word(end), {".", "["})) {
                     out_.insert(out_.end(), {"rsqrt", "("});
                     write(given[0].first, given[0].second);

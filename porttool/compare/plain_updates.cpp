@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "porttool/compare/brackets.h"
 #include "porttool/compare/casts.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
@@ -15,11 +16,6 @@ namespace {
 using UpdateText = std::vector<std::string>;
 
 std::ptrdiff_t distance_to(size_t i) { return static_cast<std::ptrdiff_t>(i); }
-
-/// The change of depth that a bracket makes.
-int deeper(std::string_view word) {
-    return is_one_of(word, {"(", "[", "{"}) ? 1 : is_one_of(word, {")", "]", "}"}) ? -1 : 0;
-}
 
 void write_step_first(UpdateText& words, size_t first, size_t end) {
     if (end <= first + 1 || (words[end - 1] != "++" && words[end - 1] != "--")) return;
@@ -56,22 +52,6 @@ bool is_taken_before(const UpdateText& words, size_t first, size_t end, std::str
     return depth == 0 && first < end;
 }
 
-/// The arguments of the call whose bracket is at `open`, as stretches of words, and where it ends; none if it does not.
-std::pair<std::vector<std::pair<size_t, size_t>>, size_t> arguments_of_call(const UpdateText& words, size_t open) {
-    constexpr size_t kLongest = 256;
-    std::vector<std::pair<size_t, size_t>> out;
-    int depth = 0;
-    size_t first = open + 1;
-    for (size_t i = open; i < words.size() && i < open + kLongest; ++i) {
-        depth += deeper(words[i]);
-        if (depth > 1 || (depth == 1 && words[i] != ",")) continue;
-        out.emplace_back(first, i);
-        first = i + 1;
-        if (depth == 0) return {out, i + 1};
-    }
-    return {};
-}
-
 bool is_whole_type(std::string_view word) {
     return is_one_of(word, {"int", "uint", "int32_t", "uint32_t", "size_t", "long", "ulong", "int64_t", "uint64_t"});
 }
@@ -106,7 +86,7 @@ void write_plain_update(UpdateText& words) {
     const size_t joins = 2 * sign + 1;
     if (!is_one_of(words[joins], {"+", "-", "*", "/", "%", "&", "|", "^"})) return;
     if (!is_taken_before(words, joins + 1, words.size(), words[joins])) return;
-    const bool is_bracketed = words[joins + 1] == "(" && arguments_of_call(words, joins + 1).second == words.size();
+    const bool is_bracketed = words[joins + 1] == "(" && call_arguments(words, joins + 1).end == words.size();
     UpdateText out(words.begin(), words.begin() + distance_to(sign));
     out.push_back(words[joins] + "=");
     out.insert(out.end(), words.begin() + distance_to(joins) + (is_bracketed ? 2 : 1),
@@ -121,7 +101,7 @@ UpdateText with_plain_limits(const UpdateText& words, const std::string& zero, c
     for (size_t i = 0; i + 1 < out.size() && written < kMost; ++i) {
         const bool is_call = out[i + 1] == "(" && (i == 0 || (out[i - 1] != "." && out[i - 1] != "->"));
         if (!is_call || (out[i] != "clamp" && out[i] != "saturate")) continue;
-        const auto [arguments, end] = arguments_of_call(out, i + 1);
+        const auto [arguments, end] = call_arguments(out, i + 1);
         if (arguments.size() != (out[i] == "clamp" ? 3 : 1)) continue;
         const auto said = [&](size_t k) {
             return UpdateText(out.begin() + distance_to(arguments[k].first),

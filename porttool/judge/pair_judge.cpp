@@ -108,6 +108,35 @@ bool only_rewords_texts(const Words& before, const Words& now) {
     });
 }
 
+/// True if the edits brought one side more statements than the other, and both texts are sure to compute the same now.
+/// Statements that stand for each other one by one are held to their words.
+bool compute_alike_now(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages) {
+    const auto gained = [](const Words& before, const Words& now) {
+        const auto as_written = [](const Words& words, bool) {
+            return std::vector<std::string>(words.begin(), words.end());
+        };
+        return statement_edit(before, now, as_written).gained.size();
+    };
+    if (gained(texts.source_before, texts.source_now) == gained(texts.target_before, texts.target_now)) return false;
+    const Words none;
+    const BySide<Words> now{texts.source_now, texts.target_now};
+    return guarded_difference({none, now.source, none, now.target}).empty() && compute_alike(now, dialect, languages);
+}
+
+/// True if edits of both sides are one but for what is computed in one step or in several.
+bool differ_in_rounding(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages) {
+    std::vector<std::string> said[4];
+    Words words[4];
+    const Words* texts_of_pair[] = {&texts.source_before, &texts.source_now, &texts.target_before, &texts.target_now};
+    bool any = false;
+    for (size_t i = 0; i < 4; ++i) {
+        said[i] = with_other_rounding(*texts_of_pair[i], dialect);
+        words[i].assign(said[i].begin(), said[i].end());
+        any = any || words[i] != *texts_of_pair[i];
+    }
+    return any && compare_edits({words[0], words[1], words[2], words[3]}, dialect, languages).equivalent;
+}
+
 }  // namespace
 
 PairJudge::PairJudge(const Case& facts, const BySide<RenamedNames>& renamed, FindingList& findings)
@@ -423,35 +452,6 @@ void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found,
     finding.details = found.missing;
     if (finding.details.size() > 1) finding.message += " (and " + std::to_string(finding.details.size() - 1) + " more)";
     if (finding.level > Level::Note && !found.displaced) weigh_edits(pair, before, finding);
-}
-
-/// True if the edits brought one side more statements than the other, and both texts are sure to compute the same now.
-/// Statements that stand for each other one by one are held to their words.
-bool compute_alike_now(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages) {
-    const auto gained = [](const Words& before, const Words& now) {
-        const auto as_written = [](const Words& words, bool) {
-            return std::vector<std::string>(words.begin(), words.end());
-        };
-        return statement_edit(before, now, as_written).gained.size();
-    };
-    if (gained(texts.source_before, texts.source_now) == gained(texts.target_before, texts.target_now)) return false;
-    const Words none;
-    const BySide<Words> now{texts.source_now, texts.target_now};
-    return guarded_difference({none, now.source, none, now.target}).empty() && compute_alike(now, dialect, languages);
-}
-
-/// True if edits of both sides are one but for what is computed in one step or in several.
-bool differ_in_rounding(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages) {
-    std::vector<std::string> said[4];
-    Words words[4];
-    const Words* texts_of_pair[] = {&texts.source_before, &texts.source_now, &texts.target_before, &texts.target_now};
-    bool any = false;
-    for (size_t i = 0; i < 4; ++i) {
-        said[i] = with_other_rounding(*texts_of_pair[i], dialect);
-        words[i].assign(said[i].begin(), said[i].end());
-        any = any || words[i] != *texts_of_pair[i];
-    }
-    return any && compare_edits({words[0], words[1], words[2], words[3]}, dialect, languages).equivalent;
 }
 
 /// Edits of both sides of a function that seem to be one are a note. Beside the text, how the files declare what it
