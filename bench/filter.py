@@ -6,13 +6,15 @@
     bench/filter.py build/release/bin/pathtracer out --scene still_life --scene ../shared/scenes/pica/scene.gltf
 
 A camera.json beside a scene is used. References are rendered once and kept in the folder; one that was interrupted goes on.
-Error is that of the 8-bit values of PNGs (--tone-map): root mean square over all pixels, and mean SSIM of luma (Gaussian of
-11 pixels, sigma 1.5) over the tenth of the pixels at which the reference's Sobel gradient is largest. Brightness is the ratio
-of mean linear values of those PNGs, so it says little where much is clipped. Times are the least of all seeds: that of the
-filter without its guides, and that of all processors for the whole run, from loading the scene on. Prints a table and exits
-with 1 where a median misses its bar.
+All is measured on linear EXR files. Error is that of tone-mapped values (Khronos PBR Neutral, or --tone-map none, which cuts
+off), from 0 to 255 of the sRGB curve and not rounded: root mean square over all pixels, and mean SSIM of luma (Gaussian of
+11 pixels, sigma 1.5) over the tenth of the pixels at which the reference's Sobel gradient is largest. Brightness is the mean
+radiance over that of the reference: no curve, and nothing cut off. Times are the least of all seeds: that of the filter
+without its guides, that of its guides, and that of all processors for the whole run, from loading the scene on. Prints a
+table and exits with 1 where a median misses its bar.
 """
 import argparse
+import array
 import math
 import pathlib
 import re
@@ -59,6 +61,86 @@ def read_png(path):
     return width, height, b"".join(rows)
 
 
+def number_at(data, place, kind="<I"):
+    return struct.unpack_from(kind, data, place)[0]
+
+
+def exr_header(data, path):
+    """Attributes by name, and where the table of blocks begins."""
+    if data[:4] != b"v/1\x01":
+        sys.exit(f"{path}: not an OpenEXR file")
+    place, found = 8, {}
+    while data[place]:
+        name, kind, rest = data[place:place + 512].split(b"\0", 2)
+        place += len(name) + len(kind) + 2
+        size = number_at(data, place)
+        found[name.decode()] = data[place + 4:place + 4 + size]
+        place += 4 + size
+    return found, place + 1
+
+
+def unzipped(block, size):
+    """What OpenEXR's zip made of these bytes: differences of neighbours, odd places behind even ones."""
+    if len(block) == size:
+        return block
+    bytes_ = bytearray(zlib.decompress(block))
+    for i in range(1, len(bytes_)):
+        bytes_[i] = bytes_[i - 1] + bytes_[i] - 128 & 255
+    half = (size + 1) // 2
+    bytes_[0::2], bytes_[1::2] = bytes_[:half], bytes_[half:]
+    return bytes(bytes_)
+
+
+def read_exr(path):
+    """Width, height and linear R, G, B of each pixel, of a file that pathtracer wrote: floats, zipped scan lines."""
+    data = path.read_bytes()
+    header, place = exr_header(data, path)
+    names = re.findall(rb"([^\0]+)\0(.{16})", header["channels"], re.DOTALL)
+    if [name for name, _ in names] != [b"B", b"G", b"R"] or any(number_at(rest, 0) != 2 for _, rest in names):
+        sys.exit(f"{path}: not the floats B, G and R")
+    if header["compression"] != b"\3":
+        sys.exit(f"{path}: not zipped")
+    left, top, right, bottom = struct.unpack("<4i", header["dataWindow"])
+    width, height, lines = right - left + 1, bottom - top + 1, 16
+    pixels = [0.0] * (3 * width * height)
+    for block in range((height + lines - 1) // lines):
+        at = number_at(data, place + 8 * block, "<Q")
+        first, size = number_at(data, at, "<i") - top, number_at(data, at + 4)
+        count = min(lines, height - first)
+        values = array.array("f", unzipped(data[at + 8:at + 8 + size], 12 * width * count))
+        for row in range(count):
+            for channel in range(3):
+                begin = (3 * row + 2 - channel) * width
+                whole = 3 * width * (first + row)
+                pixels[whole + channel:whole + 3 * width:3] = values[begin:begin + width]
+    return width, height, pixels
+
+
+def neutral(color):
+    """The reference code of Khronos PBR Neutral (2024)."""
+    start, room = 0.76, 0.24
+    low = min(color)
+    offset = low - 6.25 * low * low if low < 0.08 else 0.04
+    color = [c - offset for c in color]
+    peak = max(color)
+    if peak < start:
+        return color
+    new_peak = 1 - room * room / (peak + room - start)
+    white = 1 - 1 / (0.15 * (peak - new_peak) + 1)
+    return [c * new_peak / peak * (1 - white) + new_peak * white for c in color]
+
+
+def shown(pixels, curve):
+    """sRGB values from 0 to 255 of linear ones, not rounded."""
+    result = []
+    for i in range(0, len(pixels), 3):
+        color = [max(c, 0.0) for c in pixels[i:i + 3]]
+        for c in neutral(color) if curve == "neutral" else color:
+            c = min(max(c, 0.0), 1.0)
+            result.append(255 * (12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055))
+    return result
+
+
 def luma(pixels):
     return [(0.2126 * pixels[i] + 0.7152 * pixels[i + 1] + 0.0722 * pixels[i + 2]) / 255 for i in range(0, len(pixels), 3)]
 
@@ -94,17 +176,21 @@ def edges(values, width, height):
 
 
 class Reference:
-    def __init__(self, path):
-        self.width, self.height, self.pixels = read_png(path)
-        self.luma = luma(self.pixels)
+    def __init__(self, path, curve):
+        self.width, self.height, linear = read_exr(path)
+        self.curve = curve
+        self.brightness = math.fsum(linear)
+        self.shown = shown(linear, curve)
+        self.luma = luma(self.shown)
         self.edges = edges(self.luma, self.width, self.height)
         self.mean = blurred(self.luma, self.width, self.height)
         self.square = blurred([v * v for v in self.luma], self.width, self.height)
 
     def errors(self, path):
-        """Root mean square error, SSIM on edges, and mean linear brightness over that of the reference."""
-        _, _, pixels = read_png(path)
-        rmse = math.sqrt(sum((a - b) ** 2 for a, b in zip(pixels, self.pixels)) / len(pixels))
+        """Root mean square error, SSIM on edges, and mean radiance over that of the reference."""
+        _, _, linear = read_exr(path)
+        pixels = shown(linear, self.curve)
+        rmse = math.sqrt(sum((a - b) ** 2 for a, b in zip(pixels, self.shown)) / len(pixels))
         values = luma(pixels)
         mean = blurred(values, self.width, self.height)
         square = blurred([v * v for v in values], self.width, self.height)
@@ -114,9 +200,7 @@ class Reference:
             a, b = mean[i], self.mean[i]
             total += ((2 * a * b + 1e-4) * (2 * (product[i] - a * b) + 9e-4) /
                       ((a * a + b * b + 1e-4) * (square[i] - a * a + self.square[i] - b * b + 9e-4)))
-        linear = [(v / 255 + 0.055) ** 2.4 for v in range(256)]
-        bright = sum(linear[v] for v in pixels) / sum(linear[v] for v in self.pixels)
-        return rmse, total / len(self.edges), bright
+        return rmse, total / len(self.edges), math.fsum(linear) / self.brightness
 
 
 def main():
@@ -127,7 +211,7 @@ def main():
     parser.add_argument("--size", default="320x180")
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--core", default="target")
-    parser.add_argument("--tone-map", default="none")
+    parser.add_argument("--tone-map", default="neutral", choices=["neutral", "none"])
     parser.add_argument("--reference-spp", type=int, default=4096)
     given = parser.parse_args()
     given.folder.mkdir(parents=True, exist_ok=True)
@@ -135,8 +219,8 @@ def main():
     def render(scene, name, *more):
         """The picture, what was said on the way, and the processor time of it all in seconds."""
         camera = pathlib.Path(scene).parent / "camera.json"
-        command = [given.program, "render", scene, "--size", given.size, "--core", given.core, "--tone-map", given.tone_map,
-                   "-o", given.folder / name, "--verbose", *more]
+        command = [given.program, "render", scene, "--size", given.size, "--core", given.core, "-o", given.folder / name,
+                   "--verbose", *more]
         if camera.is_file():
             command += ["--camera", camera]
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -148,30 +232,31 @@ def main():
         return given.folder / name, done.stderr, spent
 
     missed = False
-    print(f"{'scene':12} {'picture':12} {'RMSE':>8} {'SSIM on edges':>14} {'brightness':>11} {'filter ms':>10} {'CPU s':>7}")
+    print(f"{'scene':12} {'picture':12} {'RMSE':>8} {'SSIM on edges':>14} {'brightness':>11} {'filter ms':>10} "
+          f"{'guides ms':>10} {'CPU s':>7}")
     for scene in given.scene:
         path = pathlib.Path(scene)
         name = path.parent.name if path.suffix else scene
-        key = f"{name}-{given.size}-{given.tone_map}"
-        reference = given.folder / f"{key}-reference-{given.reference_spp}.png"
+        key = f"{name}-{given.size}"
+        reference = given.folder / f"{key}-reference-{given.reference_spp}.exr"
         if not reference.exists():
             render(scene, reference.name, "--spp", str(given.reference_spp), "--seed", "1000", "--checkpoint", "60",
                    "--resume")
-        reference = Reference(reference)
+        reference = Reference(reference, given.tone_map)
         medians = {}
         for label, options in (("4", ["--spp", "4"]), ("32", ["--spp", "32"]),
                                ("4 filtered", ["--spp", "4", "--filter", "spatial"])):
             found, times, spent = [], [], []
             for seed in range(given.seeds):
-                name_of_picture = f"{key}-{label.replace(' ', '-')}-{seed}.png"
+                name_of_picture = f"{key}-{label.replace(' ', '-')}-{seed}.exr"
                 picture, said, seconds = render(scene, name_of_picture, *options, "--seed", str(seed))
                 found.append(reference.errors(picture))
                 spent.append(seconds)
-                times += [float(t) for t in re.findall(r"filter: ([0-9.]+) ms", said)]
+                times += [tuple(map(float, t)) for t in re.findall(r"filter: ([0-9.]+) ms, after ([0-9.]+) ms", said)]
             medians[label] = [statistics.median(column) for column in zip(*found)]
             rmse, ssim, bright = medians[label]
-            took = f"{min(times):10.2f}" if times else f"{'-':>10}"
-            print(f"{name:12} {label:12} {rmse:8.3f} {ssim:14.4f} {bright:11.4f} {took} {min(spent):7.2f}", flush=True)
+            took = "".join(f" {min(column):10.2f}" for column in zip(*times)) if times else f" {'-':>10}" * 2
+            print(f"{name:12} {label:12} {rmse:8.3f} {ssim:14.4f} {bright:11.4f}{took} {min(spent):7.2f}", flush=True)
         plain, filtered = medians["32"], medians["4 filtered"]
         for what, met in (("RMSE", filtered[0] <= plain[0]), ("SSIM on edges", filtered[1] >= plain[1]),
                           ("brightness", abs(filtered[2] - 1) <= 0.01)):

@@ -35,9 +35,10 @@ Status Wavefront::make_filter(const Device& device, MemoryBudget& budget, bool w
             continue;
         }
         if (bytes > device.limits().storage_buffer_range) {
-            return Status::out_of_memory(
-                std::string("source core: the ") + wish.name + " are more than a kernel reaches", bytes,
-                device.limits().storage_buffer_range);
+            // No limit on memory: it allows nothing that a higher one would not.
+            return Status::out_of_memory(std::string("source core: the ") + wish.name + " are more than a kernel of " +
+                                             device.name() + " reaches at once; use --core target",
+                                         bytes, 0);
         }
         *wish.buffer = {};
         Result<Buffer> buffer = Buffer::create(device, budget, wish.name, bytes, USAGE, BufferPlace::device);

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <utility>
 
+#include "application/core_session.h"
+
 namespace application {
 namespace {
 
@@ -244,6 +246,7 @@ Status CoreWorker::filter(const Request& request, Picture& picture, uint32_t sam
     // As many as there are samples, which a picture that is the first of a view has few of.
     constexpr uint32_t FEWEST_RAYS = 2, MOST_RAYS = 8;
     const uint32_t rays = std::clamp(samples, FEWEST_RAYS, MOST_RAYS);
+    unfiltered_.clear();
     if (request.filter == FilterMode::none) return Status::success();
     const bool remembers = first && request.filter == FilterMode::temporal;
     const std::vector<float> noise = first ? std::vector<float>() : variances();
@@ -257,6 +260,11 @@ Status CoreWorker::filter(const Request& request, Picture& picture, uint32_t sam
                        .history = remembers ? render_system::FilterHistory::go_on : render_system::FilterHistory::none,
                        .most_rays = rays,
                        .is_called_off = [&] { return first ? ends() : is_called_away(request); }});
+    if (status.code == StatusCode::out_of_memory) {  // noise is better than no picture
+        unfiltered_ = explain(status);
+        filter_ms_ = 0.0;
+        return Status::success();
+    }
     if (!status.ok()) return status;
     const double share = static_cast<double>(picture.pixels.size()) / (1.0 * request.width * request.height);
     filter_ms_ = ms_since(start) / share * FEWEST_RAYS / rays;  // of a first picture: rays are nearly all of it
@@ -373,6 +381,7 @@ Status CoreWorker::show_drawn(const Request& request, Picture picture, const Cor
     drawn_.request = request.number;
     drawn_.coarse = coarse;
     drawn_.pass_ms = took_ms;
+    drawn_.unfiltered = unfiltered_;
     drawn_.mrays_per_s = taken.total_ms > 0.0 ? static_cast<double>(all_rays(taken)) / taken.total_ms * 1e-3 : 0.0;
     has_news_ = true;
     return Status::success();

@@ -31,6 +31,7 @@ struct CorePicture {
     bool coarse = false;   ///< a first pass at a part of the size
     double pass_ms = 0.0;  ///< wall time of the last pass
     double mrays_per_s = 0.0;
+    std::string unfiltered;  ///< why it did not go through the filter that was asked for; empty where it did
 };
 
 /// One core in a thread of its own: it draws the view asked for last, sample after sample; where one takes long, a
@@ -129,6 +130,7 @@ private:
     uint32_t samples_ = 0;    // of the request that is drawn
     double sample_ms_ = 1e9;  // of one sample of the whole picture
     double filter_ms_ = 0.0;  // of filtering it; 0 before it was
+    std::string unfiltered_;  // why it is not
     bool in_parts_ = false;
     bool was_coarse_ = false;              // what is shown of the request that is drawn
     std::vector<glm::vec4> sample_, sum_;  // in parts: the sample that is being taken, and those that are whole

@@ -35,6 +35,7 @@ ViewSession::ViewSession(const Options& options, SceneSetup setup, ViewLog& log)
     }
     pictures_.resize(ids.size());
     problems_.resize(ids.size());
+    unfiltered_.resize(ids.size());
     module_errors_.resize(ids.size());
     for (const std::string& id : ids)
         workers_.push_back(std::make_unique<CoreWorker>(
@@ -187,6 +188,7 @@ bool ViewSession::update() {
         if (!workers_[i]->take(pictures_[i])) continue;
         is_stale_ = is_stale_ || is_needed(i);
         const CorePicture& now = pictures_[i];
+        note_unfiltered(i);
         if (now.request != request_ || i != awaited_ || is_answered_) continue;
         is_answered_ = true;
         log_.say("pixels", {{"core", core_name(i)},
@@ -198,6 +200,14 @@ bool ViewSession::update() {
     compose();
     is_stale_ = false;
     return true;
+}
+
+/// Coarse pictures say nothing: they may be small enough for a filter that whole ones are too large for.
+void ViewSession::note_unfiltered(size_t core) {
+    const CorePicture& now = pictures_[core];
+    if (now.coarse || now.unfiltered == unfiltered_[core]) return;
+    unfiltered_[core] = now.unfiltered;
+    if (!now.unfiltered.empty()) log_.say("error", {{"core", core_name(core)}, {"message", now.unfiltered}});
 }
 
 bool ViewSession::is_stuck() const {

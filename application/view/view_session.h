@@ -83,6 +83,8 @@ public:
     const CorePicture& picture_of(size_t core) const { return pictures_[core]; }
     /// Why a core cannot draw; "" as long as it can.
     const std::string& problem_of(size_t core) const { return problems_[core]; }
+    /// Why its pictures do not go through the filter that was asked for; empty where they do.
+    const std::string& unfiltered_of(size_t core) const { return unfiltered_[core]; }
     /// True where no core can draw.
     bool is_stuck() const;
 
@@ -101,6 +103,7 @@ private:
     void watch_files();
     void begin();
     void compose();
+    void note_unfiltered(size_t core);
     bool is_needed(size_t core) const { return core == active_ || composition_.show != Show::One; }
 
     const Options& options_;
@@ -116,7 +119,7 @@ private:
     ViewCamera first_camera_, camera_;
     size_t next_camera_ = 0;
     std::vector<CorePicture> pictures_;
-    std::vector<std::string> problems_;
+    std::vector<std::string> problems_, unfiltered_;
     size_t active_ = 0;
     Composition composition_;
     FilterMode filter_;

@@ -371,6 +371,7 @@ private:
     void draw_errors() {
         std::string text = session_.reload_error();
         for (size_t i = 0; i < session_.core_count() && text.empty(); ++i) text = session_.problem_of(i);
+        if (text.empty()) text = session_.unfiltered_of(session_.active());
         if (text.empty()) return;
         constexpr ImGuiWindowFlags PLAIN = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;

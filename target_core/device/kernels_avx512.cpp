@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-// The kernel text once more, over 16 lanes, in a namespace of its own; guide and shade are in materials_avx512.cpp,
-// the filters in filters_avx512.cpp.
+// The kernel text once more, over 16 lanes, in a namespace of its own; guide, shade and the
+// filters are in guide_avx512.cpp, materials_avx512.cpp and filters_avx512.cpp.
 #define TARGET_CORE_LANES "target_core/device/lanes_avx512.h"
 #define TARGET_CORE_TRACE "target_core/device/wide_trace.h"
 #define kernels kernels_avx512

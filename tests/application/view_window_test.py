@@ -118,11 +118,11 @@ class Person(unittest.TestCase):
         self.log = self.folder / "log.jsonl"
         self.seen = 0
 
-    def open_window(self, *options, scene="still_life", **environment):
-        self.process = subprocess.Popen(
-            [PATHTRACER, "view", scene, "--size", "320x180" if RECORD else "160x90", "--log", self.log, *map(str, options)],
+    def open_window(self, *options, scene="still_life", size="320x180" if RECORD else "160x90", **environment):
+        process = self.process = subprocess.Popen(
+            [PATHTRACER, "view", scene, "--size", size, "--log", self.log, *map(str, options)],
             cwd=self.folder, env={**os.environ, "DISPLAY": self.screen.display, **environment}, stderr=subprocess.PIPE)
-        self.addCleanup(lambda: (self.process.kill(), self.process.communicate()))
+        self.addCleanup(lambda: (process.kill(), process.communicate()))
 
     def leave(self):
         self.xdotool("key", "Escape")
@@ -427,6 +427,37 @@ class StoryTest(Person):
         self.leave()
         if RECORD:
             self.recording.write(RECORD)
+
+
+class SizesTest(Person):
+    def test_pictures_and_windows_of_one_pixel_and_of_4k(self):
+        for size in ("1x1", "3840x2160"):
+            self.open_window("--core", "target", "--spp", 1, "--max-path-length", 1, size=size)
+            self.wait_for("pixels")
+            window = subprocess.run(["xdotool", "search", "--pid", str(self.process.pid)], capture_output=True, check=True, text=True,
+                                    env={**os.environ, "DISPLAY": self.screen.display}).stdout.split()[-1]
+            for width, height in ((1, 1), (3840, 2160), (640, 360)):
+                self.xdotool("windowsize", window, width, height, "sleep", 0.2, "key", "f")
+                self.wait_for("input", lambda detail: detail["kind"] == "frame")
+                self.wait_for("pixels")
+            self.leave()
+            self.log.unlink()
+            self.seen = 0
+
+    def test_what_is_too_large_for_the_filter_is_shown_with_its_noise(self):
+        source = next(core for core in cores() if core["id"] == "source")
+        if not source["available"] or "llvmpipe" not in json.dumps(source):
+            self.skipTest("it has no limit that is as small as lavapipe's")
+        self.open_window("--core", "source", "--filter", "spatial", "--spp", 1, "--max-path-length", 1, size="1300x1000")
+        refused = self.wait_for("error")["detail"]
+        self.assertEqual(refused["core"], "source")
+        self.assertRegex(refused["message"], "filter are more than a kernel of .* reaches at once; use --core target")
+        self.xdotool("key", "t", "sleep", 0.2, "key", "t")  # temporal, none: the whole picture, and no other core
+        self.wait_for("input", lambda detail: detail["kind"] == "filter")
+        self.wait_for("input", lambda detail: detail["kind"] == "filter")
+        self.wait_for("pixels", lambda detail: detail["core"] == "source" and detail["samples"] == 1)
+        self.assertNotIn("switch", [event["event"] for event in self.events()])
+        self.leave()
 
 
 class RefusedTest(unittest.TestCase):
