@@ -58,8 +58,9 @@ PartedPassage BlockReplay::passage(const Block& block, Side side) const {
         for (const std::string& name : names) contents += " " + name + "\n";
         auto read = [&blobs = blobs_, plan = plan_, version, &names, file = blobs_.kept(version)]() {
             PartText text{file ? file : blobs.scanned(version), {}};
-            text.passage = passage_of({{version.path, names}},
-                                      [&](const std::string&) -> const ScannedFile& { return *text.file; });
+            UnitsByName units;
+            text.passage = passage_of(
+                {{version.path, names}}, [&](const std::string&) -> const ScannedFile& { return *text.file; }, units);
             return text;
         };
         out.push_back({path, std::move(contents), std::move(read)});

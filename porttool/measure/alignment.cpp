@@ -45,8 +45,15 @@ Lines lines_of(const Excerpt& excerpt, const Dialect& dialect) {
     for (size_t i = 0; i < lines.size(); ++i) lines[i].number = start + static_cast<uint32_t>(i);
     const auto& tokens = file.lexed.tokens;
     const auto before = [](const Token& token, uint32_t line) { return token.line < line; };
-    auto token = std::lower_bound(tokens.begin(), tokens.end(), start, before);
-    for (; token != tokens.end() && token->line <= last; ++token) {
+    auto token = std::lower_bound(tokens.begin(), tokens.end(), start, before), stop = tokens.end();
+    if (excerpt.unit != nullptr) {
+        // Of a line that holds hundreds of units each has its own words laid side by side, and a few around them.
+        constexpr ptrdiff_t kMostBeside = 64;
+        const ptrdiff_t first = excerpt.unit->tokens.first, end_of_own = excerpt.unit->tokens.end;
+        token = std::max(token, tokens.begin() + std::max<ptrdiff_t>(first - kMostBeside, 0));
+        stop = tokens.begin() + std::min<ptrdiff_t>(end_of_own + kMostBeside, tokens.end() - tokens.begin());
+    }
+    for (; token < stop && token->line <= last; ++token) {
         const std::string_view written = file.lexed.view(*token);
         const bool own_name = excerpt.unit != nullptr && token - tokens.begin() == excerpt.unit->name_token;
         Line& line = lines[token->line - start];

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/measure/blocks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <utility>
 
 #include "porttool/read/glob.h"
 #include "porttool/text/sink/terminal.h"
@@ -11,32 +14,98 @@
 namespace porttool {
 namespace {
 
+/// Most patterns times files and units that are tried: some seconds, and far above the blocks of a large map.
+constexpr size_t kMostTries = 50'000'000;
+
 bool takes_whole(const Selection& selection, const std::string& path) {
     const auto there = selection.find(path);
     return there != selection.end() && there->second.empty();
 }
 
-bool add_files(Selection& selection, const Glob& glob, const SideFiles& files) {
-    bool any = false;
-    for (const std::string& path : files.paths) {
-        if (!glob.matches(path) && glob.text() != path + ":@file") continue;
-        selection[path].clear();
-        any = true;
-    }
-    return any;
-}
+/// Sorted texts; finds those that a pattern may match without trying all where it begins with plain folders.
+class Matcher {
+public:
+    explicit Matcher(size_t& tried) : tried_(tried) {}
 
-bool add_units(Selection& selection, const Glob& glob, const SideFiles& files) {
-    bool any = false;
-    for (const std::string& path : files.paths)
-        for (const std::string& name : files.units(path)) {
-            const std::string id = path + ":" + name;
-            if (id != glob.text() && !glob.matches(id)) continue;
-            any = true;
-            if (!takes_whole(selection, path)) selection[path].insert(name);
+    void add(std::string text, size_t number) { texts_.emplace_back(std::move(text), number); }
+    void sort() { std::sort(texts_.begin(), texts_.end()); }
+
+    /// The numbers of the texts that a pattern matches. A pattern without wildcards is looked up.
+    std::vector<size_t> matches(const Glob& glob) const {
+        std::set<size_t> out;
+        for_range(glob.text(), [&](const std::string& text, size_t number) {
+            if (text == glob.text()) out.insert(number);
+        });
+        for (const std::string& root : glob.literal() ? std::vector{glob.text()} : glob.roots()) {
+            const std::string folder = root == "." ? "" : root;
+            for_range(folder, [&](const std::string& text, size_t number) {
+                ++tried_;
+                if (tried_ <= kMostTries && glob.matches(text)) out.insert(number);
+            });
         }
-    return any;
-}
+        return {out.begin(), out.end()};
+    }
+
+private:
+    template <class Visit>
+    void for_range(const std::string& start, const Visit& visit) const {
+        for (auto at = std::lower_bound(texts_.begin(), texts_.end(), std::pair(start, size_t{0}));
+             at != texts_.end() && at->first.starts_with(start); ++at)
+            visit(at->first, at->second);
+    }
+
+    std::vector<std::pair<std::string, size_t>> texts_;
+    size_t& tried_;
+};
+
+/// What patterns of one side may name: files and, once a pattern asks for them, units.
+class SidePlaces {
+public:
+    SidePlaces(const SideFiles& files, size_t& tried) : files_(files), paths_(tried), ids_(tried) {
+        for (size_t i = 0; i < files.paths.size(); ++i) {
+            paths_.add(files.paths[i], i);
+            paths_.add(files.paths[i] + ":@file", i);
+        }
+        paths_.sort();
+    }
+
+    bool add_files(Selection& selection, const Glob& glob) const {
+        bool any = false;
+        for (const size_t i : paths_.matches(glob)) {
+            const std::string& path = files_.paths[i];
+            if (!glob.matches(path) && glob.text() != path + ":@file") continue;
+            selection[path].clear();
+            any = true;
+        }
+        return any;
+    }
+
+    bool add_units(Selection& selection, const Glob& glob) {
+        read_units();
+        const std::vector<size_t> found = ids_.matches(glob);
+        for (const size_t i : found) {
+            const auto& [path, name] = units_[i];
+            if (!takes_whole(selection, *path)) selection[*path].insert(name);
+        }
+        return !found.empty();
+    }
+
+private:
+    void read_units() {
+        if (std::exchange(has_units_, true)) return;
+        for (const std::string& path : files_.paths)
+            for (std::string& name : files_.units(path)) {
+                ids_.add(path + ":" + name, units_.size());
+                units_.emplace_back(&path, std::move(name));
+            }
+        ids_.sort();
+    }
+
+    const SideFiles& files_;
+    Matcher paths_, ids_;
+    std::vector<std::pair<const std::string*, std::string>> units_;
+    bool has_units_ = false;
+};
 
 std::string nearest_to(const std::string& pattern, const SideFiles& files) {
     std::vector<std::string> names;
@@ -50,28 +119,35 @@ std::string nearest_to(const std::string& pattern, const SideFiles& files) {
 }
 
 /// Adds what the patterns of one side of a block name.
-void select(const std::vector<std::string>& patterns, Side side, const SideFiles& files, Block& block, Blocks& out) {
+void select(const std::vector<std::string>& patterns, Side side, SidePlaces& places, Block& block, Blocks& out) {
     for (const std::string& pattern : patterns) {
         const Glob glob(pattern);
-        if (add_files(block.takes[side], glob, files)) continue;
+        if (places.add_files(block.takes[side], glob)) continue;
         out.name_units = true;
-        if (!add_units(block.takes[side], glob, files) && !out.unmatched) out.unmatched = {block.name, pattern, side};
+        if (!places.add_units(block.takes[side], glob) && !out.unmatched) out.unmatched = {block.name, pattern, side};
     }
 }
 
 Blocks named_blocks(const MapFile& map, const BySide<SideFiles>& files) {
     Blocks out;
     std::set<std::string> names;
+    size_t tried = 0;
+    SidePlaces source(files.source, tried), target(files.target, tried);
     for (const MapBlock& named : map.blocks) {
         const std::string start = "portmap.toml: block '" + terminal_text(named.name) + "': ";
         if (!names.insert(named.name).second) out.error = start + "there are two of this name; rename one";
         if (named.source.empty() && named.target.empty())
             out.error = start + "it names neither a source nor a target; add them, or remove the block";
         Block block{named.name, {}};
-        select(named.source, Side::Source, files.source, block, out);
-        select(named.target, Side::Target, files.target, block, out);
+        select(named.source, Side::Source, source, block, out);
+        select(named.target, Side::Target, target, block, out);
         out.blocks.push_back(std::move(block));
     }
+    if (tried > kMostTries)
+        out.error = fmt::format(
+            "portmap.toml: the patterns of its blocks would be tried on more than {} files and "
+            "units; write fewer wildcards, and begin patterns with folders",
+            kMostTries);
     return out;
 }
 
@@ -99,13 +175,25 @@ std::vector<std::string> unit_names(const ScannedFile& file) {
     return names;
 }
 
-Passage passage_of(const Selection& takes, const std::function<const ScannedFile&(const std::string& path)>& file_at) {
+const Unit* UnitsByName::find(const ScannedFile& file, const std::string& name) {
+    const auto [units, is_new] = files_.try_emplace(&file);
+    if (is_new)
+        for (const Unit& unit : file.units) units->second.emplace(unit.name, &unit);
+    const auto found = units->second.find(name);
+    return found == units->second.end() ? nullptr : found->second;
+}
+
+Passage passage_of(const Selection& takes, const std::function<const ScannedFile&(const std::string& path)>& file_at,
+                   UnitsByName& units) {
     Passage passage;
     for (const auto& [path, names] : takes) {
         const ScannedFile& file = file_at(path);
         if (names.empty()) passage.push_back({&file, nullptr});
-        for (const Unit& unit : file.units)
-            if (names.contains(unit.name)) passage.push_back({&file, &unit});
+        std::vector<const Unit*> taken;  // in one file they stand in the order of their places
+        for (const std::string& name : names)
+            if (const Unit* unit = units.find(file, name)) taken.push_back(unit);
+        std::sort(taken.begin(), taken.end());
+        for (const Unit* unit : taken) passage.push_back({&file, unit});
     }
     return passage;
 }

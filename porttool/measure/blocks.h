@@ -7,6 +7,8 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -56,7 +58,17 @@ std::string error_of(const Blocks& blocks, const BySide<SideFiles>& files);
 /// The names of a file's units.
 std::vector<std::string> unit_names(const ScannedFile& file);
 
+/// Units of files by their names, each file looked through once.
+class UnitsByName {
+public:
+    const Unit* find(const ScannedFile& file, const std::string& name);
+
+private:
+    std::unordered_map<const ScannedFile*, std::unordered_map<std::string_view, const Unit*>> files_;
+};
+
 /// A selection as a passage: by path, then by place. `file_at` gives a file that the selection names.
-Passage passage_of(const Selection& takes, const std::function<const ScannedFile&(const std::string& path)>& file_at);
+Passage passage_of(const Selection& takes, const std::function<const ScannedFile&(const std::string& path)>& file_at,
+                   UnitsByName& units);
 
 }  // namespace porttool

@@ -3,11 +3,15 @@
 #include "porttool/measure/portability.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <string_view>
+#include <unordered_map>
 
 #include "porttool/measure/rows.h"
+#include "porttool/read/cannot_do.h"
 
 namespace porttool {
 namespace {
@@ -31,12 +35,20 @@ std::vector<FileLines> lines_by_file(const Passage& passage, const PassageSide& 
     return out;
 }
 
-BlockReport measure_block(const Block& block, const FilesByPath& files, const Dialect& dialect,
+/// Most tokens that blocks may take together, each counted as often as it is taken: these, some ten seconds of
+/// measuring, or so many times what both sides have.
+constexpr size_t kMostBlockTokens = 20'000'000, kMostTakenTimes = 8;
+
+size_t tokens_of(const Passage& passage) {
+    size_t count = 0;
+    for (const Excerpt& excerpt : passage)
+        count += excerpt.unit != nullptr ? excerpt.unit->tokens.end - excerpt.unit->tokens.first
+                                         : excerpt.file->lexed.tokens.size();
+    return count;
+}
+
+BlockReport measure_block(const Block& block, const BySide<Passage>& passages, const Dialect& dialect,
                           const metrics::LineWeights& weights) {
-    BySide<Passage> passages;
-    for (const Side side : kBothSides)
-        passages[side] = passage_of(
-            block.takes[side], [&](const std::string& path) -> const ScannedFile& { return *files[side].at(path); });
     BlockReport out{
         measured_block(block.name, measure_passages(passages.source, passages.target, dialect), weights), {}, {}, {}};
     for (const Side side : kBothSides) out.lines[side] = lines_by_file(passages[side], out.found[side]);
@@ -56,13 +68,27 @@ public:
                 everything.takes[side][file.path];
             }
         out_.blocks_are_file_pairs = blocks.are_file_pairs;
+        const BySide<Passage> all = passages_of(everything, files);
+        const size_t most_tokens =
+            std::max(kMostBlockTokens, kMostTakenTimes * (tokens_of(all.source) + tokens_of(all.target)));
+        size_t tokens = 0;
         for (const Block& block : blocks_) {
             for (const Side side : kBothSides)
-                for (const auto& [file, names] : block.takes[side])
-                    takers_[side][file].push_back({static_cast<int>(out_.blocks.size()), &names});
-            out_.blocks.push_back(measure_block(block, files, dialect, facts.map.weights));
+                for (const auto& [file, names] : block.takes[side]) {
+                    const int number = static_cast<int>(out_.blocks.size());
+                    if (names.empty()) takers_[side][file].of_all.push_back(number);
+                    for (const std::string& name : names) takers_[side][file].of_unit[name].push_back(number);
+                }
+            const BySide<Passage> passages = passages_of(block, files);
+            tokens += tokens_of(passages.source) + tokens_of(passages.target);
+            if (tokens > most_tokens)
+                throw CannotDo(
+                    "its blocks (of portmap.toml, or else pairs of files) take the same code again and again, more "
+                    "than " +
+                    std::to_string(most_tokens) + " tokens together\nLet each block take code of its own");
+            out_.blocks.push_back(measure_block(block, passages, dialect, facts.map.weights));
         }
-        out_.totals = measure_block(everything, files, dialect, facts.map.weights);
+        out_.totals = measure_block(everything, all, dialect, facts.map.weights);
     }
 
     PortabilityReport run() {
@@ -82,10 +108,21 @@ private:
         std::vector<int> blocks;
         const auto takers = takers_[side].find(excerpt.file->path);
         if (takers == takers_[side].end()) return blocks;
-        for (const auto& [block, names] : takers->second)
-            if (names->empty() || (excerpt.unit != nullptr && names->contains(excerpt.unit->name)))
-                blocks.push_back(block);
+        const auto& [of_all, of_unit] = takers->second;
+        const auto named = excerpt.unit == nullptr ? of_unit.end() : of_unit.find(excerpt.unit->name);
+        if (named == of_unit.end()) return of_all;
+        std::merge(of_all.begin(), of_all.end(), named->second.begin(), named->second.end(),
+                   std::back_inserter(blocks));
         return blocks;
+    }
+
+    BySide<Passage> passages_of(const Block& block, const FilesByPath& files) {
+        BySide<Passage> passages;
+        for (const Side side : kBothSides)
+            passages[side] = passage_of(
+                block.takes[side], [&](const std::string& path) -> const ScannedFile& { return *files[side].at(path); },
+                units_);
+        return passages;
     }
 
     int smallest(const std::vector<int>& blocks) const {
@@ -142,14 +179,15 @@ private:
         return found->second;
     }
 
-    /// A block that takes a file, or units of it, whose names these are.
-    struct Taker {
-        int block;
-        const std::set<std::string>* names;
+    /// The blocks that take a file, or a unit of it by its name, ascending.
+    struct Takers {
+        std::vector<int> of_all;
+        std::unordered_map<std::string_view, std::vector<int>> of_unit;
     };
 
     const std::vector<Block>& blocks_;
-    BySide<std::map<std::string_view, std::vector<Taker>>> takers_;  ///< by file, blocks ascending
+    BySide<std::map<std::string_view, Takers>> takers_;  ///< by file
+    UnitsByName units_;
     Rows rows_;
     BySide<std::map<std::pair<const BlockReport*, std::string>, std::set<uint32_t>>> shared_;
     PortabilityReport out_;
