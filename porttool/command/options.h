@@ -22,6 +22,7 @@ struct Options : CheckChoice {
     std::vector<std::string> paths;  ///< scan's paths, or ids
     bool force = false;
     bool all = false;
+    bool merge = false;
     bool strict = false;
     std::string write;  ///< map: the least score of a suggestion that is written into the map
     bool writes = false;

@@ -10,13 +10,16 @@
 
 #include "porttool/command/commands.h"
 #include "porttool/command/named.h"
+#include "porttool/judge/brought_in.h"
 #include "porttool/judge/lock_index.h"
 #include "porttool/judge/macro_record.h"
 #include "porttool/judge/settle.h"
 #include "porttool/read/clock.h"
 #include "porttool/snapshot/lock_store.h"
 #include "porttool/snapshot/map_edit.h"
+#include "porttool/snapshot/map_merge.h"
 #include "porttool/text/date.h"
+#include "porttool/text/sink/shell.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -148,11 +151,45 @@ void declare_accept(Declare& declare, Options& options) {
     declare.texts("id", options.paths, "ID", "Ids, SOURCE=TARGET, or fingerprints of findings");
     declare.flag("--all", options.all, "Every pair whose two edits are equivalent");
     declare.flag("--force", options.force, "With --all: every pair");
+    declare.flag("--merge", options.merge, "Keep the pairs of both sides where portmap.toml is in conflict");
     declare.text("--reason", options.reason, "TEXT", "Why");
 }
 
+namespace {
+
+/// Writes the map of a merge that git could not finish with the pairs of both its sides.
+Outcome merge_map(const Options& options, Workplace& place) {
+    if (options.all || !options.paths.empty())
+        throw CannotDo("accept --merge takes no ids and no --all; run it first, and accept then");
+    const auto guard = guard_lock(options, place);
+    Project project;
+    find_map(project, options, place.disk);
+    const FileText file = read_map_text(place.disk, project.root, project.map_path);
+    if (!file.error.empty()) throw CannotDo(terminal_text(project.map_path) + ": " + file.error);
+    const MapSides sides = map_sides(project.map_name, file.bytes);
+    const MergedMap merged = with_pairs_of(project.map_name, sides.ours, sides.theirs);
+    const MergedMap other = with_pairs_of(project.map_name, sides.theirs, sides.ours);
+    const LockFile no_lock;
+    const std::vector<PlacedSuppression> no_comments;
+    const std::vector<BroughtIn> differs = brought_in({true, merged.map, false, no_lock, no_comments},
+                                                      {true, other.map, false, no_lock, no_comments}, project.map_name);
+    if (!differs.empty())
+        throw CannotDo(terminal_text(project.map_name) + ": the two sides differ in more than pairs (" +
+                       terminal_text(differs.front().text) + "); nothing was written\nMerge it by hand");
+    const std::string name = project.map_path.substr(project.map_path.find_last_of('/') + 1);
+    if (const std::string failure = place.disk.write(beside_map(project, name), merged.text); !failure.empty())
+        throw CannotDo(failure);
+    std::string out = terminal_text(project.map_name) + ": the pairs of both sides are kept; of theirs came in:\n";
+    for (const NewPair& pair : merged.added)
+        out += "  " + terminal_text(pair.source) + " = " + terminal_text(pair.target) + "\n";
+    return {out + "Go on with: git add " + shell_word(project.map_name) + "\n", 0, false, ""};
+}
+
+}  // namespace
+
 Outcome run_accept(const Options& options, Workplace& place) {
     require_format(options.format, {"text"});
+    if (options.merge) return merge_map(options, place);
     if (!options.all && options.paths.empty())
         throw CannotDo("accept needs ids, or --all for every pair whose two edits are equivalent");
     if (options.all && !options.paths.empty())

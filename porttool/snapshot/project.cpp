@@ -9,6 +9,7 @@
 
 #include "porttool/read/refusals.h"
 #include "porttool/scan/scan.h"
+#include "porttool/snapshot/merge_marks.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -119,6 +120,11 @@ void load_map(Project& project, const ProjectChoice& choice, Workplace& place) {
 }
 
 void use_map(Project& project, const std::string& name, const std::string& text) {
+    if (const auto line = unfinished_merge(text))
+        throw CannotDo(terminal_text(name) + ":" + std::to_string(*line) +
+                       ": holds the marks of a merge that is not finished (<<<<<<<, =======, >>>>>>>)\n"
+                       "Where both sides only added pairs, run: porttool accept --merge; else keep what the merge "
+                       "should give, and take the marks out");
     ReadMap read = read_map(name, text);
     if (!read.error.empty()) throw CannotDo(read.error);
     project.map = std::move(read.map);

@@ -259,6 +259,74 @@ TEST_F(MergedLock, TwentyBranchesThatAddTwentyPairsMergeInAnyOrder) {
     }
 }
 
+TEST_F(MergedLock, NeighboursInTheMapAreMergedByOneCommand) {
+    constexpr int kBranches = 20;
+    const auto add_file = [&](const std::string& name) {
+        const std::string text = "float " + name + "(float x) {\n    return x * 2.0f;\n}\n";
+        write("src/" + name + ".cu", "__device__ " + text);
+        write("port/" + name + ".cpp", text);
+    };
+    for (const char* name : {"a", "b", "z"}) add_file(name);
+    ASSERT_EQ(porttool({"init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+    commit("start");
+    const auto name_of = [](int i) { return "n" + std::to_string(100 + i); };
+    for (int i = 0; i < kBranches; ++i) {
+        git("checkout -q -b b" + std::to_string(i) + " main");
+        add_file(name_of(i));
+        const std::string pair =
+            "src/" + name_of(i) + ".cu:" + name_of(i) + "=port/" + name_of(i) + ".cpp:" + name_of(i);
+        ASSERT_EQ(porttool({"accept", pair}).exit_code, 0);
+        commit("branch " + std::to_string(i));
+    }
+    std::mt19937 random(5);
+    for (const char* style : {"merge", "diff3", "zdiff3"}) {
+        std::vector<int> order(kBranches);
+        std::iota(order.begin(), order.end(), 0);
+        std::shuffle(order.begin(), order.end(), random);
+        git("checkout -q -B merged main && git config merge.conflictStyle " + std::string(style));
+        int conflicts = 0;
+        for (const int i : order) {
+            const std::string merge = "cd '" + root.string() + "' && git merge -q --no-edit b" + std::to_string(i);
+            if (std::system((merge + " > /dev/null 2>&1").c_str()) == 0) continue;
+            ++conflicts;
+            const CommandRun checked = porttool({"check"});
+            EXPECT_EQ(checked.exit_code, 2);
+            EXPECT_NE(checked.err.find("accept --merge"), std::string::npos) << checked.err;
+            const CommandRun merged = porttool({"accept", "--merge"});
+            ASSERT_EQ(merged.exit_code, 0) << merged.err;
+            EXPECT_NE(merged.out.find(name_of(i)), std::string::npos) << merged.out;
+            git("add portmap.toml && git commit -q --no-edit");  // which fails where the lock conflicts, too
+        }
+        EXPECT_GT(conflicts, 0);
+        const auto got = json({"check", "--strict"});
+        EXPECT_EQ(got["summary"]["in_step"], 3 + kBranches) << got.dump(1);
+    }
+}
+
+TEST_F(MergedLock, AMergeOfMoreThanPairsIsLeftToAPerson) {
+    start(3);
+    const std::string map = read_text(root / "portmap.toml");
+    const auto sides = [](const std::string& ours, const std::string& theirs) {
+        return "\n<<<<<<< HEAD\n" + ours + "=======\n" + theirs + ">>>>>>> b\n";
+    };
+    const std::string pair = "[[pair]]\nsource = \"src/a.cu:x\"\ntarget = \"port/a.cpp:x\"\n";
+    for (const std::string& other :
+         {std::string("[rules]\norphaned = \"note\"\n"),
+          std::string("[[ignore]]\nsource = \"src/*\"\nreason = \"x\"\n"), std::string("no TOML\n")}) {
+        write("portmap.toml", map + sides(pair, other));
+        const CommandRun got = porttool({"accept", "--merge"});
+        EXPECT_EQ(got.exit_code, 2) << other << got.out;
+        EXPECT_EQ(read_text(root / "portmap.toml"), map + sides(pair, other));
+    }
+    for (const std::string& text : {map, map + "\n<<<<<<< HEAD\n" + pair + "=======\n"}) {
+        write("portmap.toml", text);
+        EXPECT_EQ(porttool({"accept", "--merge"}).exit_code, 2);
+    }
+    write("portmap.toml", map + sides(pair, replaced(pair, "x\"", "y\"")));
+    EXPECT_EQ(porttool({"accept", "--merge"}).exit_code, 0);
+    EXPECT_EQ(porttool({"accept", "--merge", "--all"}).exit_code, 2);
+}
+
 TEST_F(MergedLock, BranchesWithNewUnitsMergeToo) {
     start(3);
     for (int i = 0; i < 6; ++i) {
