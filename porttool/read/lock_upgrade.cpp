@@ -101,4 +101,15 @@ NormalText text_of_print(Print print, const std::string& recorded, int normal_fo
     return same ? std::move(text) : NormalText();
 }
 
+bool is_text_of_print(Print print, const std::string& recorded) {
+    Fingerprinter plain;
+    const char* const end = recorded.data() + recorded.size();
+    for (const char* at = recorded.data(); at < end; ++at) {
+        const char* word = at;
+        while (at < end && *at != ' ' && *at != '\n') ++at;
+        if (at > word) plain.add({word, static_cast<size_t>(at - word)});
+    }
+    return !recorded.empty() && (Print(plain) == print || !text_of_print(print, recorded, kNormalForm).empty());
+}
+
 }  // namespace porttool

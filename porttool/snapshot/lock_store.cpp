@@ -143,7 +143,7 @@ LostTexts lost_texts(const Project& project, const Disk& disk, const LockFile& l
         if (!print.is_known() || out.missing.contains(print)) continue;
         const std::string recorded = bytes > kMostSourceBytes ? "" : read_base(project, disk, print);
         bytes += recorded.size();
-        if (text_of_print(print, recorded, kNormalForm).empty()) out.damaged.insert(print);
+        if (!is_text_of_print(print, recorded)) out.damaged.insert(print);
     }
     return out;
 }
