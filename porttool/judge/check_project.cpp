@@ -3,7 +3,6 @@
 #include "porttool/judge/check_project.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include "porttool/judge/base_lock.h"
@@ -11,6 +10,7 @@
 #include "porttool/judge/evidence.h"
 #include "porttool/read/clock.h"
 #include "porttool/scan/scan.h"
+#include "porttool/snapshot/folder_of_base.h"
 #include "porttool/snapshot/lock_store.h"
 #include "porttool/text/sink/terminal.h"
 
@@ -38,23 +38,6 @@ void take_staged_map(Project& project, Workplace& place) {
     if (!text.error.empty()) return;
     use_map(project, "portmap.toml (staged)", text.bytes);
     require_sides_beneath(project, place.disk);
-}
-
-/// Throws CannotDo where the merge base has a map nearer to the folder in question than the one that is found today: a
-/// change that removes it would have its folder judged by another one, which says nothing of it.
-void require_nearest_map(const Project& project, const CheckChoice& choice, const Disk& disk) {
-    if (project.globs_given || !choice.config.empty()) return;
-    std::filesystem::path folder = absolute_path(choice.directory);
-    for (; folder.generic_string().starts_with(project.root + "/"); folder = folder.parent_path()) {
-        Project nearer = project;
-        nearer.root = folder.generic_string();
-        nearer.map_path = join_path(nearer.root, "portmap.toml");
-        if (!map_text_at(nearer, {Moment::Kind::MergeBase, choice.base}, disk).error.empty()) continue;
-        throw CannotDo("portmap.toml of " + terminal_text(nearer.root) +
-                       " is gone, which was there at the merge base of " + terminal_text(choice.base) +
-                       "; without it " + terminal_text(project.map_path) +
-                       " would be used\nPut it back, or check the folder above");
-    }
 }
 
 /// Puts the map of the merge base in the place of today's.
@@ -212,7 +195,7 @@ CheckedProject check_project(const CheckChoice& choice, Workplace& place, const 
         throw CannotDo("--trusted-map takes map and lock from the merge base; name it with --base REV");
     Project project = open_project(choice, place, true);
     if (choice.staged) take_staged_map(project, place);
-    if (!choice.base.empty()) require_nearest_map(project, choice, place.disk);
+    if (!choice.base.empty()) require_folder_of_base(project, choice, choice.base, place.disk);
     const MapFile map_today = project.map;
     if (choice.trusted_map) take_map_of_base(project, choice.base, place);
     CheckedProject checked{read_now(std::move(project), choice, place, last, kept)};

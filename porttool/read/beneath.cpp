@@ -67,6 +67,12 @@ public:
     const Descriptor& folder() const { return folders_.back(); }
     Descriptor take_folder() { return std::move(folders_.back()); }
     const std::string& name() const { return name_; }
+    /// The way without a link in it; "" where none was met.
+    std::string end() const {
+        std::string path;
+        for (const std::string& folder : names_) path += folder + "/";
+        return links_ == 0 ? "" : path + name_;
+    }
 
 private:
     static constexpr int kMostLinks = 40;  // as in the kernel
@@ -75,6 +81,7 @@ private:
         if (name_ == "..") {
             if (folders_.size() == 1) return out_of(at_.root);
             folders_.pop_back();
+            names_.pop_back();
             name_ = ".";
             return {};
         }
@@ -90,6 +97,7 @@ private:
         Descriptor next(::openat(folder().get(), name_.c_str(), O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
         if (!next.valid()) return failed(errno);
         folders_.push_back(std::move(next));
+        names_.push_back(name_);
         return {};
     }
 
@@ -106,6 +114,7 @@ private:
             if (error || !target.starts_with(root)) return out_of(at_.root);
             target.erase(0, root.size());
             folders_.erase(folders_.begin() + 1, folders_.end());
+            names_.clear();
         }
         const std::deque<std::string> parts = components_of(target);
         ahead_.insert(ahead_.begin(), parts.begin(), parts.end());
@@ -115,6 +124,7 @@ private:
 
     const TreePath& at_;
     std::vector<Descriptor> folders_;  ///< from the root to where we are
+    std::vector<std::string> names_;   ///< of these but the root
     std::deque<std::string> ahead_;
     std::string name_ = ".";
     int links_ = 0;
@@ -175,7 +185,7 @@ OpenedBeneath open_beneath(const TreePath& at, int flags, OpenBy first) {
     Steps steps(at, std::move(root));
     if (const Refusal refusal = steps.go(); refusal.code != 0) return {Descriptor(), refusal.text, refusal.code};
     Descriptor file(::openat(steps.folder().get(), steps.name().c_str(), with_care(flags)));
-    if (file.valid()) return {std::move(file), "", 0};
+    if (file.valid()) return {std::move(file), "", 0, steps.end()};
     const Refusal refusal = errno == ELOOP ? is_link() : failed(errno);
     return {Descriptor(), refusal.text, refusal.code};
 }

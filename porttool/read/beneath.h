@@ -49,6 +49,7 @@ struct OpenedBeneath {
     Descriptor file;
     std::string error;
     int code = 0;
+    std::string end = {};  ///< where links led, seen from the root; "" where there was none on the way
 };
 
 /// Who resolves a path: the kernel at once (openat2(2), Linux 5.6), or we, step by step. The kernel is asked first; we

@@ -15,6 +15,7 @@
 
 #include "porttool/read/refusals.h"
 #include "porttool/read/replace_file.h"
+#include "porttool/read/tracked.h"
 #include "porttool/read/write_guard.h"
 #include "porttool/text/sink/terminal.h"
 
@@ -87,7 +88,13 @@ FileText RealDisk::read(const std::string& path, uint64_t limit) const {
 
 FileText RealDisk::read(const TreePath& path, uint64_t limit) const {
     const OpenedBeneath opened = open_beneath(path, O_RDONLY);
-    return opened.error.empty() ? read_open(opened.file, limit) : FileText{"", opened.error};
+    if (!opened.error.empty()) return {"", opened.error};
+    if (opened.end.empty()) return read_open(opened.file, limit);
+    FileText out = {"", untracked_reason(path.root, opened.end), true};
+    if (!out.error.empty()) return {"", "leads to " + opened.end + ", which " + out.error, true};
+    out = read_open(opened.file, limit);
+    out.by_link = true;
+    return out;
 }
 
 FolderList RealDisk::list(const TreePath& path) const {

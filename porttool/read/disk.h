@@ -21,7 +21,8 @@ struct DirectoryEntry {
 /// What reading a file gave: its bytes, or why there are none.
 struct FileText {
     std::string bytes;
-    std::string error;  ///< empty if the file was read
+    std::string error;     ///< empty if the file was read
+    bool by_link = false;  ///< there was a link on the way
 };
 
 /// The entries of a folder, sorted by name, or why there are none.
@@ -56,7 +57,8 @@ struct FileToWrite {
     std::string bytes;
 };
 
-/// The only way to the disk. A path is the user's own, from the command line, absolute or relative to the working
+/// The only way to the disk. What a link leads to is read only where git tracks it or its name is that of a source
+/// (read/tracked.h). A path is the user's own, from the command line, absolute or relative to the working
 /// directory; a TreePath was written by somebody else, and does not lead out of its root. All are `/`-separated.
 class Disk {
 public:

@@ -251,6 +251,42 @@ bool is_reached(git_repository* repository, const git_oid& wanted, const git_oid
     return false;
 }
 
+/// The commit that a change is held against, or why there is none.
+struct MergeBase {
+    git_oid commit{};
+    std::string error = {};
+};
+
+MergeBase no_base(std::string error) { return {{}, std::move(error)}; }
+
+MergeBase merge_base_with(git_repository* repository, const std::string& revision) {
+    git_oid head{};
+    MergeBase out;
+    if (git_reference_name_to_id(&head, repository, "HEAD") != 0)
+        return no_base("HEAD names no commit yet; commit once, or check without --base");
+    if (const std::vector<std::string> all = other_meanings(repository, revision); !all.empty())
+        return no_base("--base " + terminal_text(revision) + ": " +
+                       terminal_text(fmt::format("{}", fmt::join(all, " and "))) +
+                       " are several commits\nWrite out the one that is meant");
+    git_object* found = nullptr;
+    const bool is_there = git_revparse_single(&found, repository, (revision + "^{commit}").c_str()) == 0;
+    tell_refused_object();
+    const bool is_shallow = git_repository_is_shallow(repository) != 0;
+    if (!is_there)
+        return no_base("--base " + terminal_text(revision) + ": no such revision here\nFetch it first: " +
+                       terminal_text(fetch_command(revision, is_shallow)));
+    const Object base(found);
+    if (is_shallow && is_reached(repository, *git_object_id(base.get()), head)) {
+        out.commit = *git_object_id(base.get());
+    } else if (git_merge_base(&out.commit, repository, git_object_id(base.get()), &head) != 0) {
+        tell_refused_object();
+        return no_base("--base " + terminal_text(revision) +
+                       ": no common ancestor with HEAD is here, as in a shallow clone\nFetch the history: git fetch "
+                       "--unshallow (in CI: fetch-depth: 0)");
+    }
+    return out;
+}
+
 }  // namespace
 
 GitFiles GitRepository::files_at_base(const std::string& revision, const WantsFile& wants,
@@ -258,40 +294,41 @@ GitFiles GitRepository::files_at_base(const std::string& revision, const WantsFi
     if (!error_.empty()) return {{}, {}, {}, error_};
     GitFiles out;
     git_repository* repository = handle_->repository();
-    git_oid head{}, merge_base{};
-    if (git_reference_name_to_id(&head, repository, "HEAD") != 0)
-        return {{}, {}, {}, "HEAD names no commit yet; commit once, or check without --base"};
-    if (const std::vector<std::string> all = other_meanings(repository, revision); !all.empty())
-        return {{},
-                {},
-                {},
-                "--base " + terminal_text(revision) + ": " + terminal_text(fmt::format("{}", fmt::join(all, " and "))) +
-                    " are several commits\nWrite out the one that is meant"};
-    git_object* found = nullptr;
-    const bool is_there = git_revparse_single(&found, repository, (revision + "^{commit}").c_str()) == 0;
-    tell_refused_object();
-    if (!is_there)
-        return {{},
-                {},
-                {},
-                "--base " + terminal_text(revision) + ": no such revision here\nFetch it first: " +
-                    terminal_text(fetch_command(revision, git_repository_is_shallow(repository) != 0))};
-    const Object base(found);
-    if (is_shallow() && is_reached(repository, *git_object_id(base.get()), head))
-        merge_base = *git_object_id(base.get());
-    else if (git_merge_base(&merge_base, repository, git_object_id(base.get()), &head) != 0) {
-        tell_refused_object();
-        return {{},
-                {},
-                {},
-                "--base " + terminal_text(revision) +
-                    ": no common ancestor with HEAD is here, as in a shallow clone\nFetch the history: git fetch "
-                    "--unshallow (in CI: fetch-depth: 0)"};
-    }
+    const MergeBase base = merge_base_with(repository, revision);
+    if (!base.error.empty()) return {{}, {}, {}, base.error};
     EntryCount entries(kMergeBase);
     uint64_t bytes = 0;
-    read_tree({out, repository, folder(), "", wants, folders, entries, bytes}, merge_base);
+    read_tree({out, repository, folder(), "", wants, folders, entries, bytes}, base.commit);
     return out;
+}
+
+FolderAtBase GitRepository::folder_at_base(const std::string& revision, const std::string& path,
+                                           const std::string& mark) const {
+    if (!error_.empty()) return {error_};
+    git_repository* repository = handle_->repository();
+    const MergeBase base = merge_base_with(repository, revision);
+    if (!base.error.empty()) return {base.error};
+    git_commit* commit = nullptr;
+    git_tree* tree = nullptr;
+    if (git_commit_lookup(&commit, repository, &base.commit) != 0) return {git_last_error()};
+    const Commit commit_owner(commit);
+    if (git_commit_tree(&tree, commit) != 0) return {git_last_error()};
+    const Tree tree_owner(tree);
+    const GitEntryAt at = entries_of_tree(tree);
+    EntryCount entries(kMergeBase);
+    const GitPlace place = follow_git_links(repository, at, entries, folder() + path);
+    FolderAtBase out;
+    out.is_there = place.entry.kind == GitEntry::Kind::Folder;
+    out.path = place.path;
+    std::string one = path;
+    while (true) {
+        const std::string marked = folder() + (one.empty() ? "" : one + "/") + mark;
+        if (follow_git_links(repository, at, entries, marked).entry.kind == GitEntry::Kind::File)
+            out.marked.insert(one);
+        if (one.empty()) return out;
+        const size_t slash = one.find_last_of('/');
+        one.erase(slash == std::string::npos ? 0 : slash);
+    }
 }
 
 namespace {
@@ -317,9 +354,9 @@ std::string index_of_hook(git_repository* repository) {
 TrackedFiles GitRepository::tracked_files(const WantsFile& wants) const {
     TrackedFiles out;
     git_index* index = nullptr;
-    if (!error_.empty()) return {{}, handle_->opened.is_there ? error_.substr(0, error_.find('\n')) : ""};
+    if (!error_.empty()) return {{}, handle_->opened.is_there ? error_.substr(0, error_.find('\n')) : "", false};
     if (git_repository_index(&index, handle_->repository()) != 0)
-        return {{}, "the index cannot be read: " + git_last_error()};
+        return {{}, "the index cannot be read: " + git_last_error(), false};
     const Index owner(index);
     for (size_t i = 0; i < git_index_entrycount(index); ++i) {
         const std::string_view path = git_index_get_byindex(index, i)->path;
@@ -327,6 +364,7 @@ TrackedFiles GitRepository::tracked_files(const WantsFile& wants) const {
         std::string below(path.substr(folder().size()));
         if (wants(below)) out.files.insert(std::move(below));
     }
+    out.is_known = git_index_entrycount(index) > 0;
     return out;
 }
 

@@ -169,6 +169,10 @@ std::string GitRepository::work_tree() const {
     return out;
 }
 
+std::string GitRepository::index_file() const {
+    return std::string(git_repository_path(handle_->repository())) + "index";
+}
+
 bool GitRepository::is_as_committed(const std::string& path) const {
     unsigned flags = 0;
     const std::string within = handle_->opened.prefix + path;

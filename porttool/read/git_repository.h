@@ -24,6 +24,14 @@ struct GitFiles {
     std::string error = {};
 };
 
+/// What the merge base has of a folder, or why that cannot be told.
+struct FolderAtBase {
+    std::string error = {};
+    bool is_there = false;              ///< it is a folder, maybe behind a link
+    std::string path = {};              ///< without a link in it, from the work tree's own folder
+    std::set<std::string> marked = {};  ///< itself and the folders above it, as it was asked for, that hold the mark
+};
+
 /// Whether a path is wanted; others are not read.
 using WantsFile = std::function<bool(const std::string& path)>;
 
@@ -83,6 +91,8 @@ public:
 
     /// The folder of the whole work tree that the root lies in, without a slash at its end.
     std::string work_tree() const;
+    /// Where the index of the work tree is.
+    std::string index_file() const;
     /// True if the file stands in the work tree and in the index as HEAD has it.
     bool is_as_committed(const std::string& path) const;
 
@@ -107,6 +117,9 @@ public:
     /// behind a link is found there.
     GitFiles files_at_base(const std::string& revision, const WantsFile& wants,
                            const std::vector<std::string>& folders = {}) const;
+    /// What merge-base(revision, HEAD) has at the path of a folder ("" for the root), and which of the folders from
+    /// there up to the root have a file of the name `mark`.
+    FolderAtBase folder_at_base(const std::string& revision, const std::string& path, const std::string& mark) const;
     /// The files of the index, or of the one that git gave the hook that we run in.
     GitFiles files_in_index(const WantsFile& wants, const std::vector<std::string>& folders = {}) const;
     /// The wanted files that the index names; none, and no error, outside of any repository.

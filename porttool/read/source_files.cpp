@@ -13,6 +13,7 @@
 #include "porttool/read/cannot_do.h"
 #include "porttool/read/ignore_rules.h"
 #include "porttool/read/source_glob.h"
+#include "porttool/read/tracked.h"
 #include "porttool/text/sink/terminal.h"
 #include "porttool/text/utf8.h"
 
@@ -111,13 +112,15 @@ private:
 using FoundFiles = std::map<std::string, TreePath>;
 
 SourceSet read_all(const Disk& disk, const FoundFiles& found, const std::string& root = "",
-                   uint64_t most_bytes = kUnbounded) {
+                   uint64_t most_bytes = kUnbounded, const std::set<std::string>& untracked = {}) {
     SourceSet out;
     uint64_t bytes = 0;
     for (const auto& [path, place] : found) {
         FileText file = {"", unreadable_name(path)};
         if (file.error.empty())
             file = place.root.empty() ? disk.read(place.path, kLargestSource) : disk.read(place, kLargestSource);
+        // Of what a link leads to the disk has asked.
+        if (file.error.empty() && !file.by_link && untracked.contains(path)) file = {"", kUntracked};
         if (file.error.empty()) file.error = unreadable_reason(file.bytes);
         bytes += file.bytes.size();
         if (bytes > most_bytes) throw too_much(root, fmt::format("{} bytes of sources", most_bytes));
@@ -218,19 +221,39 @@ public:
     SourceSet read() {
         const bool some_ignored = std::any_of(walkers_.begin(), walkers_.end(),
                                               [](const auto& walker) { return walker.second.ignored_some(); });
-        const TrackedFiles tracked = some_ignored && scope_.tracked ? scope_.tracked() : TrackedFiles();
+        std::set<std::string> plain = no_sources_by_name();
+        const bool asks = scope_.tracked && (some_ignored || !plain.empty());
+        const TrackedFiles tracked = asks ? scope_.tracked() : TrackedFiles();
+        if (!scope_.tracked || !tracked.is_known) plain.clear();
+        std::erase_if(plain,
+                      [&](const std::string& file) { return tracked.files.contains(file) || in_submodule(file); });
         for (const std::string& file : tracked.files)
             for (const SourceGlob& asked : asked_) take_hidden(asked, file);
         const bool bounded = scope_.reach == Reach::Beneath;
-        SourceSet out = read_all(disk_, found_, root_, bounded ? scope_.most_bytes : kUnbounded);
+        SourceSet out = read_all(disk_, found_, root_, bounded ? scope_.most_bytes : kUnbounded, plain);
         for (const auto& [own, walker] : walkers_) add_refused(out, walker);
-        if (!tracked.error.empty())
+        if (some_ignored && !tracked.error.empty())
             out.skipped.push_back(
                 {".gitignore", "hides files here, and whether git tracks them cannot be told: " + tracked.error});
         return out;
     }
 
 private:
+    /// Files that a map's globs take, though their names are not those of sources.
+    std::set<std::string> no_sources_by_name() const {
+        std::set<std::string> out;
+        for (const auto& [path, place] : found_)
+            if (scope_.reach == Reach::Beneath && language_of_path(path) == Language::Unknown) out.insert(path);
+        return out;
+    }
+
+    /// True for a file of a work tree within this one, of which this one's index says nothing.
+    bool in_submodule(const std::string& path) const {
+        for (size_t end = path.find('/'); end != std::string::npos; end = path.find('/', end + 1))
+            if (disk_.exists(join_path(root_, path.substr(0, end) + "/.git"))) return true;
+        return false;
+    }
+
     /// How many files a glob matches.
     size_t take(const SourceGlob& asked) {
         size_t count = 0;

@@ -51,6 +51,7 @@ enum class Reach : uint8_t { Beneath, Anywhere };
 struct TrackedFiles {
     std::set<std::string> files = {};
     std::string error = {};
+    bool is_known = true;  ///< false outside of git as well, and where nothing was ever added
 };
 
 /// What globs stand for.
@@ -58,7 +59,8 @@ struct GlobScope {
     Reach reach = Reach::Beneath;
     bool sources_only = false;  ///< no file without a suffix of a source, even where a glob names its suffix
     /// Files that are read where a glob matches them, whatever .gitignore says, which hides only what git does not
-    /// track: those that the map names, and, asked for only where something was ignored, those that git tracks.
+    /// track: those that the map names, and those that git tracks, which is asked for where something was ignored. Git
+    /// is asked, too, where a map's glob takes what is by its name no source: that is read only where it is tracked.
     std::set<std::string> named = {};
     std::function<TrackedFiles()> tracked = {};
     /// Beyond these is an error; where globs may lead anywhere, the user has chosen.

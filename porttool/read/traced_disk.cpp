@@ -23,6 +23,7 @@ using Kind = DiskQuestion::Kind;
 
 std::string text_of(FileText file) {
     file.bytes.push_back('\0');
+    file.bytes.push_back(file.by_link ? '\1' : '\2');
     return std::move(file.bytes) + file.error;
 }
 

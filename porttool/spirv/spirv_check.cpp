@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "porttool/read/tracked.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
@@ -69,6 +70,8 @@ SpirvCheck::Shaders& SpirvCheck::shaders_of(Side side) {
                                             const auto [at, fresh] = shaders.now.try_emplace(path);
                                             if (fresh) {
                                                 FileText file = disk_.read(TreePath{shaders.root, path}, kLargestFile);
+                                                if (file.error.empty() && !file.by_link)
+                                                    file.error = untracked_reason(shaders.root, path);
                                                 if (file.error.empty()) at->second = std::move(file.bytes);
                                             }
                                             return at->second ? &*at->second : nullptr;

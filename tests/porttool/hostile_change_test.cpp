@@ -880,21 +880,163 @@ TEST_F(HostileChange, OutputDoesNotFollowALinkOutOfTheRepositoryAroundTheProject
     root = whole;
 }
 
-TEST_F(HostileChange, AMapThatIsGoneLeavesItsFolderToNoOther) {
-    const fs::path whole = root, part = root / "part";
-    fs::create_directories(part / "src");
-    for (const char* side : {"a.cu", "a.cpp"}) std::ofstream(part / "src" / side) << "float f(float x) { return x; }";
-    std::ofstream(part / "portmap.toml") << "[sides]\nsource = [\"src/*.cu\"]\ntarget = [\"src/*.cpp\"]\n";
-    git("add -A && git commit -qm part && git branch -f then && git rm -q part/portmap.toml && git commit -qm gone");
-    root = part;
-    for (const std::vector<std::string>& command :
-         {std::vector<std::string>{"check", "--base", "then"}, {"check", "--base", "then", "--trusted-map"}}) {
-        const CommandRun got = porttool(command);
-        EXPECT_EQ(got.exit_code, 2) << got.out;
-        EXPECT_NE(got.err.find("is gone, which was there at the merge base of then"), std::string::npos) << got.err;
+TEST_F(HostileChange, AFolderIsJudgedByTheMapThatTheMergeBaseHasForIt) {
+    const auto project = [&](const std::string& folder) {
+        for (const char* side : {"/src/a.cu", "/src/a.cpp"}) write(folder + side, "float f(float x) { return x; }");
+        write(folder + "/portmap.toml",
+              "version = 1\n[sides]\nsource = [\"src/*.cu\"]\ntarget = [\"src/*.cpp\"]\n[[pair]]\nsource = "
+              "\"src/a.cu:f\"\n"
+              "target = \"src/a.cpp:f\"\n");
+    };
+    for (const char* folder : {"pa", "pb", "part/pc", "other/pc"}) project(folder);
+    write("pa/sub/notes.txt", "");
+    fs::create_directory_symlink("pa", root / "was_a_link");
+    git("add -A && git commit -qm parts && git branch -f then");
+    const std::string elsewhere = " leads to ", gone = "is gone, which was there at the merge base of then",
+                      is_new = "portmap.toml is new; at the merge base of then the map of ";
+    struct Row {
+        const char *what, *change, *folder;
+        std::string told;  ///< empty: judged
+    };
+    const std::vector<Row> rows = {
+        {"nothing", "true", "pa", ""},
+        {"nothing", "true", "pa/sub", ""},
+        {"a link of before", "true", "was_a_link", ""},
+        {"an edit of the map", "echo '# new' >> pa/portmap.toml", "pa", ""},
+        {"a map that is a link within its folder", "cd pa && git mv portmap.toml m.toml && ln -s m.toml portmap.toml",
+         "pa", ""},
+        {"a folder that is new", "cp -r pa pd", "pd", ""},
+        {"another folder's map is gone", "git rm -q pb/portmap.toml", "pa", ""},
+        {"a link in another's place", "rm -r pb && ln -s pa pb", "pa", ""},
+        {"a link", "rm -r pa && ln -s pb pa", "pa", elsewhere},
+        {"a link to the whole", "rm -r pa && ln -s . pa", "pa", elsewhere},
+        {"a link out", "rm -r pa && ln -s /tmp pa", "pa", elsewhere},
+        {"a link above", "rm -r part && ln -s other part", "part/pc", elsewhere},
+        {"a link of before leads elsewhere", "rm was_a_link && ln -s pb was_a_link", "was_a_link", elsewhere},
+        {"a map that is gone", "git rm -q pa/portmap.toml", "pa", gone},
+        {"a map that is gone, from below", "git rm -q pa/portmap.toml", "pa/sub", gone},
+        {"a nearer map", "cp pb/portmap.toml pa/sub && cp -r pb/src pa/sub", "pa/sub", is_new},
+        {"a repository of its own",
+         "rm -r pa && git clone -q . pa && cp -r pb/* pa && git -C pa add -A && git -C pa "
+         "branch -f then origin/then",
+         "pa", "pa is a repository of its own"}};
+    const fs::path whole = root;
+    for (const Row& row : rows) {
+        git("checkout -qf then -B change && git clean -qffd");
+        ASSERT_EQ(std::system(("cd '" + root.string() + "' && " + row.change).c_str()), 0) << row.what;
+        git("-c advice.addEmbeddedRepo=false add -A && git commit -qm change --allow-empty");
+        for (const char* more : {"--format=text", "--trusted-map"}) {
+            const std::vector<std::string> command = {"check", "--base", "then", more};
+            root = whole / row.folder;
+            const CommandRun got = porttool(command);
+            root = whole;
+            const std::string about = std::string(row.what) + " " + more + "\n" + got.out + got.err;
+            if (row.told.empty()) {
+                EXPECT_TRUE(got.exit_code == 0 || got.err.find("--trusted-map") != std::string::npos) << about;
+            } else {
+                EXPECT_EQ(got.exit_code, 2) << about;
+                EXPECT_NE(got.err.find(row.told), std::string::npos) << about;
+            }
+        }
     }
-    root = whole;
-    EXPECT_EQ(porttool({"check", "--base", "then"}).exit_code, 0);
+}
+
+TEST_F(HostileChange, WhatGitDoesNotTrackIsReadOnlyWhereItsNameIsThatOfASource) {
+    const std::string map = read_text(root / "portmap.toml");
+    write("other/k.cu", kSource);
+    write("other/notes.txt", "some lines\n");
+    write("sub/notes.txt", "some lines\n");
+    git("-C sub init -q && git -C sub add -A && git -C sub -c user.name=a -c user.email=b commit -qm sub");
+    git("-c advice.addEmbeddedRepo=false add -A && git commit -qm more && git branch -f then");
+    const auto with = [&](const std::string& glob, const std::string& file) {
+        return replaced(map, "source = [\"src/*\"", "source = [\"src/*\", \"" + glob + "\"") +
+               "\n[[pair]]\nsource = \"" + file + ":@file\"\ntarget = \"port/k.cpp:f\"\n";
+    };
+    struct Row {
+        const char* what;
+        std::function<void()> change;
+        bool is_read;
+        bool is_local = false;  ///< not committed
+    };
+    const std::vector<Row> rows = {
+        {"a watched source leads to it", [&] { link("../.env", "src/k.cu"); }, false},
+        {"a source is new and leads to it", [&] { link("../.env", "src/new.cu"); }, false},
+        {"a link leads on to a link to it",
+         [&] {
+             link("../.env", "other/env");
+             link("../other/env", "src/new.cu");
+         },
+         false},
+        {"a pair names it", [&] { write("portmap.toml", with(".env", ".env")); }, false},
+        {"a glob takes it", [&] { write("portmap.toml", with("*.*", "src/k.cu")); }, false},
+        {"a folder that leads to one with it",
+         [&] {
+             link("../meta", "src/m");
+             write("portmap.toml", with("src/m/config", "src/m/config"));
+         },
+         false},
+        {"the map leads to it", [&] { link(".env", "portmap.toml"); }, false},
+        {"the lock leads to it", [&] { link(".env", "portmap.lock"); }, false},
+        {"a link to a file that git tracks", [&] { link("../other/k.cu", "src/l.cu"); }, true},
+        {"a link to another file that git tracks",
+         [&] {
+             link("../other/notes.txt", "src/notes.txt");
+             write("portmap.toml", with("src/notes.txt", "src/notes.txt"));
+         },
+         true},
+        {"a folder of such files that is a link",
+         [&] {
+             link("../other", "src/o");
+             write("portmap.toml", with("src/o/notes.txt", "src/o/notes.txt"));
+         },
+         true},
+        {"a link into a submodule",
+         [&] {
+             link("../sub/notes.txt", "src/notes.txt");
+             write("portmap.toml", with("src/notes.txt", "src/notes.txt"));
+         },
+         true},
+        {"a file of a submodule", [&] { write("portmap.toml", with("sub/notes.txt", "sub/notes.txt")); }, true},
+        {"a new source", [&] { write("src/new.cu", kSource); }, true, true},
+        {"a link to a new source",
+         [&] {
+             write("other/new.cu", kSource);
+             link("../other/new.cu", "src/new.cu");
+         },
+         true, true},
+        {"a new file that is staged",
+         [&] {
+             write("src/new.txt", "a line\n");
+             write("portmap.toml", with("src/new.txt", "src/new.txt"));
+             git("add src/new.txt");
+         },
+         true, true}};
+    for (const Row& row : rows) {
+        git("checkout -qf then -B change && git clean -qffd && git -C sub checkout -qf .");
+        row.change();
+        if (!row.is_local) git("add -A && git commit -qm change");
+        write(".env", "API_KEY=" + kSecret + "\nfloat " + kSecret + "(float x) { return x; }\n");
+        write("meta/config", kSecret + "\n");
+        bool told = false;
+        for (const std::vector<std::string>& command : {std::vector<std::string>{"check", "--format", "json"},
+                                                        {"check", "--base", "then", "--format", "markdown"},
+                                                        {"check", "--base", "then", "--trusted-map"},
+                                                        {"report", "--format", "html"},
+                                                        {"sync", "--all"},
+                                                        {"explain", "src/k.cu:f"}}) {
+            const CommandRun got = porttool(command);
+            const std::string all = got.out + got.err;
+            EXPECT_EQ(all.find(kSecret), std::string::npos) << row.what << "\n" << command[0] << "\n" << all;
+            told |= all.find("is not tracked by git") != std::string::npos;
+        }
+        EXPECT_EQ(told, !row.is_read) << row.what;
+    }
+    git("checkout -qf then -B change && git clean -qffd");
+    write("notes/.env", "a line\n");
+    write("portmap.toml", with("notes/.env", "notes/.env"));
+    fs::remove_all(root / ".git");
+    EXPECT_EQ(porttool({"check"}).out.find("is not tracked"), std::string::npos) << "without git nothing is tracked";
+    git("init -q");
 }
 
 TEST_F(HostileChange, OutputGoesToWhatTheFileIs) {

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/read/tracked.h"
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <set>
+#include <utility>
+
+#include "porttool/language/language.h"
+#include "porttool/read/disk.h"
+#include "porttool/read/git_repository.h"
+
+namespace porttool {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What tells an index from the one that it was: git replaces the file.
+using IndexStamp = std::pair<fs::file_time_type, uintmax_t>;
+
+/// The names in the index of a root's repository, asked for once as long as it stays as it is.
+class KnownIndexes {
+public:
+    bool tracks(const std::string& root, const std::string& path) {
+        const std::lock_guard lock(mutex_);
+        return is_in(index_of(root), root, path);
+    }
+
+private:
+    struct Index {
+        std::string file;
+        IndexStamp stamp = {};
+        TrackedFiles tracked = {};
+    };
+
+    static IndexStamp stamp_of(const std::string& file) {
+        std::error_code error;
+        return {fs::last_write_time(file, error), fs::file_size(file, error)};
+    }
+
+    const Index& index_of(const std::string& root) {
+        Index& index = known_[root];
+        if (!index.file.empty() && index.stamp == stamp_of(index.file)) return index;
+        const GitRepository git(root);
+        index = {};
+        index.tracked.is_known = git.error().empty();
+        if (!git.error().empty()) return index;
+        index.file = git.index_file();
+        index.stamp = stamp_of(index.file);
+        index.tracked = git.tracked_files([](const std::string&) { return true; });
+        return index;
+    }
+
+    /// What a submodule holds is in an index of its own.
+    bool is_in(const Index& index, const std::string& root, const std::string& path) {
+        const std::set<std::string>& files = index.tracked.files;
+        if (!index.tracked.is_known || files.contains(path)) return true;
+        for (size_t end = path.find('/'); end != std::string::npos; end = path.find('/', end + 1)) {
+            const std::string module = path.substr(0, end);
+            if (!files.contains(module)) continue;
+            const std::string inner = join_path(root, module);
+            return is_in(index_of(inner), inner, path.substr(end + 1));
+        }
+        return false;
+    }
+
+    std::mutex mutex_;
+    std::map<std::string, Index> known_;
+};
+
+}  // namespace
+
+std::string untracked_reason(const std::string& root, const std::string& path) {
+    static KnownIndexes indexes;
+    if (language_of_path(path) != Language::Unknown || indexes.tracks(root, path)) return {};
+    return kUntracked;
+}
+
+}  // namespace porttool
