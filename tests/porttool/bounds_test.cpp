@@ -61,6 +61,32 @@ TEST(Bounds, DiffIsThatOfTheWholeTable) {
     }
 }
 
+/// Where the whole table would be too large, a band of it holds every shortest way.
+TEST(Bounds, DiffOfLongTextsWithFewEditsIsThatOfTheWholeTable) {
+    std::mt19937 dice(11);
+    for (const size_t edits : {8u, 150u}) {
+        Texts before;
+        for (size_t i = 0; i < 3050; ++i) before.push_back(std::to_string(dice() % 60));
+        Texts now = before;
+        for (size_t edit = 0; edit < edits; ++edit) {
+            const auto at = now.begin() + static_cast<std::ptrdiff_t>(dice() % now.size());
+            if (edit % 2 == 0)
+                now.erase(at);
+            else
+                now.insert(at, std::to_string(dice() % 60));
+        }
+        std::swap(now.front(), now[1]);
+        std::swap(now.back(), now[now.size() - 2]);
+        std::vector<std::array<size_t, 3>> found;
+        for (const DiffStep& step : diff(before, now)) found.push_back({step.kind, step.before, step.now});
+        const auto kept = [](const auto& step) { return step[0] == DiffStep::Keep; };
+        ASSERT_GT(std::count_if(found.begin(), found.end(), kept), 2800) << edits;
+        while (before.back() == now.back()) before.pop_back(), now.pop_back();
+        found.resize(found.size() - (3050 - before.size()));
+        EXPECT_TRUE(found == plain_diff(before, now)) << edits;
+    }
+}
+
 /// Fails in a way that no command foresees.
 template <class Thrown>
 class FailingDisk final : public Disk {
