@@ -27,6 +27,21 @@ double weight_of(std::string_view word) {
     return word == "(" || word == ")" || word == ";" || word == "," || word == "{" ? 0.05 : 0.25;
 }
 
+/// How a clause begins.
+struct Opening {
+    uint32_t word;
+    bool returns, controls;
+};
+
+std::vector<Opening> openings_of(const AlignedText& text) {
+    std::vector<Opening> out;
+    for (const Clause& clause : text.clauses) {
+        const std::string& word = text.words[clause.first];
+        out.push_back({text.exact[clause.first], word == "return", word_is(word, kControls)});
+    }
+    return out;
+}
+
 /// The words of each clause as a bag, by their common numbers.
 struct Bag {
     std::vector<std::pair<uint32_t, double>> words;  ///< sorted
@@ -65,7 +80,7 @@ double likeness_of(const Bag& a, const Bag& b) {
 class TextAligner {
 public:
     TextAligner(const AlignedText& first, const AlignedText& second, const AlignmentRule& rule)
-        : a_(first), b_(second), rule_(rule) {}
+        : a_(first), b_(second), rule_(rule), opens_a_(openings_of(first)), opens_b_(openings_of(second)) {}
 
     Alignment run() {
         lay();
@@ -99,14 +114,11 @@ private:
     }
 
     double likeness(const std::vector<Bag>& a, const std::vector<Bag>& b, size_t i, size_t k) const {
-        const Clause &x = a_.clauses[i], &y = b_.clauses[k];
-        if ((a_.words[x.first] == "return") != (b_.words[y.first] == "return")) return 0;
-        const std::string &head = a_.words[x.first], &other = b_.words[y.first];
-        if (x.opens != y.opens)
-            return word_is(head, kControls) || word_is(other, kControls) ? 0 : likeness_of(a[i], b[k]) * 0.8;
-        if (x.opens) {
-            if (head != other && (word_is(head, kControls) || word_is(other, kControls))) return 0;
-        }
+        const Opening &x = opens_a_[i], &y = opens_b_[k];
+        if (x.returns != y.returns) return 0;
+        const bool opens = a_.clauses[i].opens, controls = x.controls || y.controls;
+        if (opens != b_.clauses[k].opens) return controls ? 0 : likeness_of(a[i], b[k]) * 0.8;
+        if (opens && controls && x.word != y.word) return 0;
         return likeness_of(a[i], b[k]);
     }
 
@@ -239,6 +251,7 @@ private:
 
     const AlignedText &a_, &b_;
     const AlignmentRule& rule_;
+    std::vector<Opening> opens_a_, opens_b_;
     Aliases aliases_;
     Alignment out_;
 };

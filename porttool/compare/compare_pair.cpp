@@ -3,6 +3,7 @@
 #include "porttool/compare/compare_pair.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -142,19 +143,21 @@ private:
         EditComparison edits = compare_edits(texts, dialect_, languages);
         const EditsByParts by_parts(texts);
         if (!edits.equivalent && structs) edits.equivalent = gain_the_same_fields(texts);
-        if (!edits.equivalent)
+        std::optional<LearnedWords> learned;  // what edits that differ as they are written are looked at with
+        if (!edits.equivalent) {
+            learned.emplace(learned_words(texts));
             edits.equivalent =
-                alike_in_words_of_pair(texts, languages) || alike_without_order_of_cases(texts, languages) ||
+                alike_in_words_of_pair(texts, *learned, languages) || alike_without_order_of_cases(texts, languages) ||
                 alike_in_ends_of_items(texts, languages) || alike_in_one_part(by_parts, languages) ||
                 alike_in_statements_of_pair(texts, languages) || (!structs && alike_in_whole_vectors(texts, languages));
+        }
         if (std::string said = surely_differs(texts, structs ? nullptr : &by_parts); !said.empty()) {
             edits.differences.insert(edits.differences.begin(), std::move(said));
             edits.equivalent = false;
             edits.displaced = true;
         }
         if (!edits.equivalent && !edits.displaced && !structs) {
-            const LearnedWords learned = in_words_of_target(texts, dialect_, {pair_.source.id, pair_.target.id});
-            if (std::string said = other_local_in_flow(texts, learned.before); !said.empty()) {
+            if (std::string said = other_local_in_flow(texts, learned->before); !said.empty()) {
                 edits.differences.insert(edits.differences.begin(), std::move(said));
                 edits.displaced = true;
             }
@@ -198,7 +201,8 @@ private:
 
     /// True if the edits are one as they are written, or in the words of the pair.
     bool are_alike(const PairTexts& texts, const BySide<Language>& languages) const {
-        return compare_edits(texts, dialect_, languages).equivalent || alike_in_words_of_pair(texts, languages);
+        return compare_edits(texts, dialect_, languages).equivalent ||
+               alike_in_words_of_pair(texts, learned_words(texts), languages);
     }
 
     /// True if one side says part by part, each part alike, what the other says of all parts at once.
@@ -235,9 +239,13 @@ private:
         return compare_edits({source_before, source_now, target_before, target_now}, dialect_, languages).equivalent;
     }
 
+    LearnedWords learned_words(const PairTexts& texts) const {
+        return in_words_of_target(texts, dialect_, {pair_.source.id, pair_.target.id});
+    }
+
     /// True if the edits are one in the words that the pair itself teaches, and in functions for the other's methods.
-    bool alike_in_words_of_pair(const PairTexts& texts, const BySide<Language>& languages) const {
-        const LearnedWords said = in_words_of_target(texts, dialect_, {pair_.source.id, pair_.target.id});
+    bool alike_in_words_of_pair(const PairTexts& texts, const LearnedWords& said,
+                                const BySide<Language>& languages) const {
         const PairTexts learned{said.before, said.now, texts.target_before, texts.target_now};
         if (said.any && compare_edits(learned, dialect_, languages).equivalent) return true;
         CalledForms of_source, of_target;

@@ -27,13 +27,12 @@ void show_moved(const StatementEdit& edit, Edit& out) {
     }
 }
 
-EditComparison compare_in_manner(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages,
-                                 Meaning::Updates updates) {
-    const Meaning meaning(texts, dialect, languages, updates);
+/// `has_updates` becomes true if updates in one manner would make other words.
+EditComparison compare_in_manner(const PairTexts& texts, const Meaning& meaning, bool& has_updates) {
     const auto translator = [&](Side side) {
-        return [&meaning, side](const Words& statement, bool in_body) {
-            return meaning.translate(statement, side, in_body);
-        };
+        return translated_once([&meaning, &has_updates, side](const Words& statement, bool in_body) {
+            return meaning.translate(statement, side, in_body, &has_updates);
+        });
     };
     const StatementEdit source = statement_edit(texts.source_before, texts.source_now, translator(Side::Source));
     const StatementEdit target = statement_edit(texts.target_before, texts.target_now, translator(Side::Target));
@@ -54,10 +53,12 @@ EditComparison compare_in_manner(const PairTexts& texts, const Dialect& dialect,
 
 /// Compares the edits by the names that the texts have.
 EditComparison compare_as_named(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages) {
-    EditComparison out = compare_in_manner(texts, dialect, languages, Meaning::Updates::AsWritten);
-    const bool may_be_one = !out.equivalent && !out.displaced && !texts.source_before.empty();
-    if (may_be_one && compare_in_manner(texts, dialect, languages, Meaning::Updates::InOneManner).equivalent)
-        return {.equivalent = true};
+    bool has_updates = false;
+    EditComparison out =
+        compare_in_manner(texts, Meaning(texts, dialect, languages, Meaning::Updates::AsWritten), has_updates);
+    if (out.equivalent || out.displaced || !has_updates || texts.source_before.empty()) return out;
+    const Meaning in_one_manner(texts, dialect, languages, Meaning::Updates::InOneManner);
+    if (compare_in_manner(texts, in_one_manner, has_updates).equivalent) return {.equivalent = true};
     return out;
 }
 

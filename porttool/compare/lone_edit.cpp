@@ -243,14 +243,11 @@ Words with_plain_struct_head(const Words& tokens) {
 }
 
 /// True if an edit only spelled statements otherwise: see are_respelled().
-bool only_respells(const Words& before, const Words& now, const PlainStatements& plain, Language language,
+bool only_respells(const Words& before, const Words& now, const Translator& translator, Language language,
                    const Dialect& dialect) {
     constexpr size_t kMost = 20'000;  // words
     if (before.size() + now.size() > kMost) return false;
     const NumberedText then(with_plain_declarations(before)), today(with_plain_declarations(now));
-    const Translator translator = [&](const Words& statement, bool in_body) {
-        return plain.translate(statement, in_body);
-    };
     const ReadingManner manner{dialect, traits_of(language).literals == Literals::Shading, {}, true};
     const std::vector<Statement> old_one = split_statements(then.words(), translator),
                                  new_one = split_statements(today.words(), translator);
@@ -285,9 +282,8 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
     PlainStatements plain(kind, language, dialect);
     plain.note_vectors_of(before);
     plain.note_vectors_of(now);
-    const Translator translator = [&](const Words& statement, bool in_body) {
-        return plain.translate(statement, in_body);
-    };
+    const Translator translator =
+        translated_once([&](const Words& statement, bool in_body) { return plain.translate(statement, in_body); });
     const auto is_code = kind == UnitKind::Function || kind == UnitKind::Kernel;
     const bool drops_unused = is_code && !exchanges_unused(before, now);
     const auto bare = [&](const Words& tokens) {
@@ -311,7 +307,7 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
     if (!out.means_nothing && is_code && splits_declarations(old_text, bare(now), translator))
         out.means_nothing = out.respells = true;
     if (!out.means_nothing && is_code && !names_count)
-        out.means_nothing = out.respells = only_respells(old_text, bare(now), plain, language, dialect);
+        out.means_nothing = out.respells = only_respells(old_text, bare(now), translator, language, dialect);
     if (!out.means_nothing) out.edit = shown_edit(edit);
     add_changed_declarations(before, now, plain, out.edit);
     out.means_nothing = out.means_nothing && out.edit.lost.empty() && out.edit.gained.empty();

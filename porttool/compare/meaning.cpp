@@ -275,7 +275,13 @@ std::string Meaning::scoped(std::string_view scope, std::string_view name, Side 
            "::" + word(name, side);
 }
 
-std::vector<std::string> Meaning::translate(const Words& statement, Side side, bool in_body) const {
+std::vector<std::string> Meaning::in_one_manner(const std::vector<std::string>& words) const {
+    std::vector<std::string> out = with_plain_limits(words, number("0.0f"), number("1.0f"));
+    write_plain_update(out);
+    return out;
+}
+
+std::vector<std::string> Meaning::translate(const Words& statement, Side side, bool in_body, bool* has_updates) const {
     Words tokens = with_one_word_types(statement);
     write_plain_components(tokens, vectors_[side]);
     const bool of_context = !tokens.empty() && contexts_[side].contains(tokens[0]);
@@ -319,10 +325,10 @@ std::vector<std::string> Meaning::translate(const Words& statement, Side side, b
     drop_cast_to_declared_type(out);
     write_steps_first(out);
     counters_[side].write_plain(out);
-    if (updates_ == Updates::InOneManner) {
-        out = with_plain_limits(out, number("0.0f"), number("1.0f"));
-        write_plain_update(out);
-    }
+    if (updates_ == Updates::InOneManner)
+        out = in_one_manner(out);
+    else if (has_updates != nullptr && !*has_updates)
+        *has_updates = in_one_manner(out) != out;
     write_plain_transfer(out, {of_context, in_order_, directed_});
     return out;
 }

@@ -41,7 +41,9 @@ public:
             Updates updates = Updates::AsWritten);
 
     /// A statement's words. `in_body`: not the function's head, so that storage (`static`, group-shared memory) counts.
-    std::vector<std::string> translate(const Words& statement, Side side, bool in_body) const;
+    /// `has_updates`, where it is given, becomes true if the words are others with updates in one manner.
+    std::vector<std::string> translate(const Words& statement, Side side, bool in_body,
+                                       bool* has_updates = nullptr) const;
 
 private:
     using Spellings = std::map<std::string, std::set<std::string_view>, std::less<>>;
@@ -53,6 +55,7 @@ private:
     void note_scopes(const Words& source, const Words& target);
     std::string word(std::string_view token, Side side) const;
     std::string number(std::string_view token) const;
+    std::vector<std::string> in_one_manner(const std::vector<std::string>& words) const;
     std::string scoped(std::string_view scope, std::string_view name, Side side) const;
 
     const Dialect& dialect_;

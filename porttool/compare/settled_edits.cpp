@@ -72,8 +72,9 @@ public:
 
 private:
     Translator translator(Side side) const {
-        return
-            [this, side](const Words& statement, bool in_body) { return meaning_.translate(statement, side, in_body); };
+        return translated_once([this, side](const Words& statement, bool in_body) {
+            return meaning_.translate(statement, side, in_body);
+        });
     }
 
     /// All that came has its like, and what stayed has it still if it had it.

@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/statement_edit.h"
 
+#include <array>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
 #include "porttool/normal/diff.h"
 
 namespace porttool {
@@ -28,6 +34,18 @@ std::vector<size_t> StatementEdit::kept() const {
         out[i] = k++;
     }
     return out;
+}
+
+Translator translated_once(Translator translator) {
+    using Translations = std::unordered_map<std::string, std::vector<std::string>>;
+    const auto known = std::make_shared<std::array<Translations, 2>>();
+    return [translator = std::move(translator), known](const Words& statement, bool in_body) {
+        std::string text;
+        for (const std::string_view word : statement) text.append(word) += '\n';
+        const auto [found, is_new] = (*known)[in_body ? 1 : 0].try_emplace(std::move(text));
+        if (is_new) found->second = translator(statement, in_body);
+        return found->second;
+    };
 }
 
 StatementEdit statement_edit(const Words& before, const Words& now, const Translator& translator) {

@@ -28,6 +28,10 @@ struct StatementEdit {
     std::vector<size_t> kept() const;
 };
 
+/// The same translator, which translates a statement but once: texts that are held against each other have most of
+/// theirs in common.
+Translator translated_once(Translator translator);
+
 StatementEdit statement_edit(const Words& before, const Words& now, const Translator& translator);
 
 /// A statement as it is quoted beside others: many can stand in or after a single long one.
