@@ -128,6 +128,11 @@ StatementEdit edit_with_casts(const Words& before, const Words& now, const Diale
     });
 }
 
+BySide<StatementEdit> edits_with_casts(const PairTexts& texts, const Dialect& dialect) {
+    return {edit_with_casts(texts.source_before, texts.source_now, dialect),
+            edit_with_casts(texts.target_before, texts.target_now, dialect)};
+}
+
 /// `own`: types of which each side has its own, throughout.
 Grouping worst_of(const std::vector<GroupedStatement>& here, const std::vector<GroupedStatement>& there,
                   const std::set<std::string>& own) {
@@ -266,15 +271,13 @@ bool puts_in_other_brackets(const StatementEdit& edit, const Dialect& dialect) {
 }  // namespace
 
 Grouping grouping_of_edits(const PairTexts& texts, const Dialect& dialect) {
-    const StatementEdit source = edit_with_casts(texts.source_before, texts.source_now, dialect),
-                        target = edit_with_casts(texts.target_before, texts.target_now, dialect);
+    const auto [source, target] = edits_with_casts(texts, dialect);
     return worst_of(grouped(source.now, &source.gained, dialect), grouped(target.now, &target.gained, dialect),
                     own_types(texts.source_before, texts.target_before));
 }
 
 bool edits_contradict(const PairTexts& learned, const Dialect& dialect) {
-    const StatementEdit source = edit_with_casts(learned.source_before, learned.source_now, dialect),
-                        target = edit_with_casts(learned.target_before, learned.target_now, dialect);
+    const auto [source, target] = edits_with_casts(learned, dialect);
     if (puts_in_other_brackets(source, dialect) != puts_in_other_brackets(target, dialect)) return true;
     const AllGrouped here(source, dialect), there(target, dialect);
     Contradictions found(learned, dialect);

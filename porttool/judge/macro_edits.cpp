@@ -45,11 +45,13 @@ std::string declared_difference(std::string_view then, std::string_view now) {
 /// A word of an edit as the text has it.
 std::string_view plain_word(std::string_view word) { return word.substr(word.starts_with('=') ? 1 : 0); }
 
+bool is_member(const NormalText& text, size_t i) { return i > 0 && (text[i - 1] == "." || text[i - 1] == "->"); }
+
 /// True if a text has a word that is neither a local of its own nor a member.
 bool uses_word(const NormalText& text, std::string_view word) {
     std::optional<std::vector<size_t>> locals;
     for (size_t i = 0; i < text.size(); ++i) {
-        if (text[i] != word || (i > 0 && (text[i - 1] == "." || text[i - 1] == "->"))) continue;
+        if (text[i] != word || is_member(text, i)) continue;
         if (!locals) locals = local_numbers(text.words());
         if (locals->empty() || (*locals)[i] == 0) return true;
     }
@@ -60,10 +62,8 @@ bool uses_word(const NormalText& text, std::string_view word) {
 std::set<std::string_view> used_words(const NormalText& text) {
     const std::vector<size_t> locals = local_numbers(text.words());
     std::set<std::string_view> out;
-    for (size_t i = 0; i < text.size(); ++i) {
-        const bool is_member = i > 0 && (text[i - 1] == "." || text[i - 1] == "->");
-        if (!is_member && is_word_token(text[i]) && (locals.empty() || locals[i] == 0)) out.insert(text[i]);
-    }
+    for (size_t i = 0; i < text.size(); ++i)
+        if (is_word_token(text[i]) && !is_member(text, i) && (locals.empty() || locals[i] == 0)) out.insert(text[i]);
     return out;
 }
 

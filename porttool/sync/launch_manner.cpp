@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/sync/launch_manner.h"
 
+#include "porttool/compare/brackets.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/text/is_one_of.h"
 
@@ -14,7 +15,7 @@ constexpr std::string_view kLaunch = "hipLaunchKernelGGL";
 size_t closing_bracket(const std::vector<std::string>& words, size_t open, size_t end) {
     int depth = 0;
     for (size_t i = open; i < end; ++i) {
-        depth += is_one_of(words[i], {"(", "[", "{"}) ? 1 : is_one_of(words[i], {")", "]", "}"}) ? -1 : 0;
+        depth += deeper(words[i]);
         if (depth == 0) return i;
     }
     return end;
@@ -24,7 +25,7 @@ size_t closing_bracket(const std::vector<std::string>& words, size_t open, size_
 std::vector<LaunchParts::Run> parted_by_commas(const std::vector<std::string>& words, size_t first, size_t end) {
     std::vector<LaunchParts::Run> out{{first, first}};
     for (size_t i = first; i < end; ++i) {
-        if (is_one_of(words[i], {"(", "[", "{"})) i = closing_bracket(words, i, end);
+        if (deeper(words[i]) > 0) i = closing_bracket(words, i, end);
         if (i < end && words[i] == ",") {
             out.back().end = i;
             out.push_back({i + 1, i + 1});
