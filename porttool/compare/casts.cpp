@@ -234,7 +234,8 @@ Words with_one_word_types(const Words& tokens) {
             is_short |= token == "short";
             is_char |= token == "char";
             longs += token == "long" ? 1 : 0;
-            if (!word_is(token, kTypePart)) break;
+            if (token == "__int64") longs += 2;
+            if (!word_is(token, kTypePart) && token != "__int64") break;
         }
         const bool is_double = end < tokens.size() && tokens[end] == "double";
         if (end == i + 1 && end < tokens.size() && (is_unsigned || is_signed)) {  // ISPC's `unsigned int8`
@@ -247,7 +248,7 @@ Words with_one_word_types(const Words& tokens) {
             }
         }
         if (end == i) end = i + 1;
-        if (end == i + 1 && !is_unsigned && !is_signed) {
+        if (end == i + 1 && !is_unsigned && !is_signed && longs < 2) {
             out.push_back(tokens[i++]);
             continue;
         }

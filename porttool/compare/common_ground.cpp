@@ -22,6 +22,7 @@ namespace {
 constexpr size_t kMostToLay = 24'000;  // words of all texts
 constexpr size_t kLeastEdited = 6;     // words of an edit that is nobody's slip
 constexpr size_t kMeant = 12;          // words of an edit that is more than a mend
+constexpr size_t kLong = 24;           // words of an edit that is work of its own
 
 /// How many names came and went, and how many of them the other side's text has.
 struct EditedNames {
@@ -62,7 +63,6 @@ std::vector<std::string> launches_of(const Words& text) {
 /// True if the edit only put the same words into another order, or one number in the place of another: a value that
 /// somebody chose for this side. In a long edit of a text apart numbers come and go with what they stand in.
 bool reorders_or_retunes(const SideEdit& edit, bool is_apart) {
-    constexpr size_t kLong = 24;
     if (is_apart && edit.size >= kLong) return edit.gained == edit.lost;
     const auto any_number = [](const std::set<std::string>& words) {
         return std::any_of(words.begin(), words.end(), [](const std::string& word) { return is_number_token(word); });
@@ -151,13 +151,16 @@ private:
 OffGround off_common_ground(const LoneTexts& texts, const Dialect& dialect) {
     const SideEdit edit(texts.before, texts.now, dialect);
     if (edit.size < kLeastEdited || is_of_few_words(texts) || touches_guarded_words(edit, texts)) return OffGround::No;
-    const Words then = without_hints(texts.before), today = without_hints(texts.now);
-    if (pragmas_of(then) != pragmas_of(today) || launches_of(then) != launches_of(today)) return OffGround::No;
     const SideEdit other(texts.other, texts.other, dialect);
     const EditedNames names(edit, other);
-    if (!names.are_foreign()) return OffGround::No;
-    const OffGround by_names =
-        names.are_unheard_of() && !edit.guarded.contains("#") ? OffGround::Surely : OffGround::No;
+    const bool is_foreign = names.are_foreign();
+    if (!is_foreign && edit.size < kLong) return OffGround::No;
+    const Words then = without_hints(texts.before), today = without_hints(texts.now);
+    if (pragmas_of(then) != pragmas_of(today)) return OffGround::No;
+    const bool is_plain = launches_of(then) == launches_of(today);
+    const OffGround by_names = is_plain && is_foreign && names.are_unheard_of() && !edit.guarded.contains("#")
+                                   ? OffGround::Surely
+                                   : OffGround::No;
     if (texts.before.size() + texts.now.size() + texts.other.size() > kMostToLay) return by_names;
     WordKeys keys(dialect);
     const AlignedText a = keys.text(edit.before, false), b = keys.text(other.now, false);
@@ -165,10 +168,10 @@ OffGround off_common_ground(const LoneTexts& texts, const Dialect& dialect) {
     constexpr size_t kShort = 200;  // longer texts have some words in common, if they could be laid side by side
     if (laid.covered().empty() && edit.before.size() > kShort) return by_names;
     const bool is_apart = are_apart(edit, other, laid);
-    if (reorders_or_retunes(edit, is_apart)) return OffGround::No;
-    if (!is_apart && edit.guarded.contains("#")) return OffGround::No;
+    if ((!is_foreign && !is_apart) || reorders_or_retunes(edit, is_apart)) return OffGround::No;
     if (GroundReader(edit, laid, is_apart).touches()) return OffGround::No;
-    return edit.size < kMeant ? OffGround::Perhaps : OffGround::Surely;
+    if (!is_plain || (!is_apart && edit.guarded.contains("#"))) return OffGround::Hardly;
+    return edit.size < kMeant || !is_foreign ? OffGround::Perhaps : OffGround::Surely;
 }
 
 }  // namespace porttool

@@ -15,13 +15,15 @@ namespace porttool {
 /// where that is not sure: edits of words that are never silent, and texts too long to lay side by side, unless the
 /// other side knows hardly any of many names.
 /// Where hardly a third of the two texts is alike, only clauses that are mostly the same are common ground: words have
-/// their like there by chance. `Perhaps` of an edit of a dozen words or less: the mend of a fault of both is as short.
+/// their like there by chance, and of two dozen words or more the names need not be foreign. `Perhaps` of such, and of
+/// an edit of a dozen words or less: the mend of a fault of both is as short. `Hardly` of launches, and of branches for
+/// the compiler in texts that are alike: it is less likely an error than others, and no more is said.
 ///
 ///     before      q.wait(); y[i] = k * x[i];                                                      port
 ///     now         if (is_shared) { advise(y, q.get_device()); } q.wait(); y[i] = k * x[i];        off it
 ///     or now      q.wait(); y[i] = k * x[i]; if (y[i] > lim) { y[i] = lim; }                      on it
 ///     other       y[i] = k * x[i]; z[i] = y[i] + lim;                                             source
-enum class OffGround : uint8_t { No, Perhaps, Surely };
+enum class OffGround : uint8_t { No, Hardly, Perhaps, Surely };
 OffGround off_common_ground(const LoneTexts& texts, const Dialect& dialect);
 
 }  // namespace porttool

@@ -80,6 +80,16 @@ bool is_runtime_call(std::string_view name) {
     return false;
 }
 
+bool drives_device(const Words& text) {
+    for (size_t i = 0; i + 2 < text.size(); ++i) {
+        if (text[i + 1] == "(" && is_runtime_call(text[i])) return true;
+        if (text[i] == "<" && text[i + 1] == "<" && text[i + 2] == "<") return true;
+        const bool is_member = text[i] == "." || text[i] == "->";
+        if (is_member && (text[i + 1] == "submit" || text[i + 1] == "parallel_for")) return true;
+    }
+    return false;
+}
+
 void note_contexts(const Words& text, ContextNames& names) {
     for (size_t i = 0; i < text.size(); ++i) {
         if (!is_context_type(text[i])) continue;

@@ -118,7 +118,50 @@ struct EditedTexts {
     }
 };
 
+/// A text without waiting for a runtime, and how often it does.
+struct WithoutWaits {
+    Words words;
+    size_t waits = 0;
+
+    explicit WithoutWaits(const Words& text) {
+        for (size_t i = 0; i < text.size();) {
+            const size_t end = end_of_wait(text, i);
+            if (end == i) {
+                words.push_back(text[i++]);
+                continue;
+            }
+            ++waits;
+            const bool is_all = text[i] == "." && end < text.size() && text[end] == ";" && words.size() >= 2 &&
+                                starts_statement(words, words.size() - 1);
+            if (is_all) words.pop_back();  // `q . wait ( ) ;`
+            i = end + (is_all ? 1 : 0);
+        }
+    }
+
+private:
+    static bool starts_statement(const Words& text, size_t i) {
+        return is_word_token(text[i]) && i > 0 && is_one_of(text[i - 1], {";", "{", "}"});
+    }
+
+    /// Behind `. wait ( )`, or a statement that calls a function which waits; `i` where none begins there.
+    static size_t end_of_wait(const Words& text, size_t i) {
+        const auto at = [&](size_t k) { return k < text.size() ? text[k] : std::string_view(); };
+        if (at(i) == "." && is_one_of(at(i + 1), {"wait", "wait_and_throw"}) && at(i + 2) == "(" && at(i + 3) == ")")
+            return i + 4;
+        if (i >= text.size() || !starts_statement(text, i) || !is_runtime_call(text[i]) || at(i + 1) != "(") return i;
+        const bool waits = holds_in_any_case(text[i], "synchronize") || holds_in_any_case(text[i], "finish");
+        const bool is_bare = at(i + 2) == ")" || at(i + 3) == ")";
+        const size_t end = i + (at(i + 2) == ")" ? 3 : 4);
+        return waits && is_bare && at(end) == ";" ? end + 1 : i;
+    }
+};
+
 }  // namespace
+
+bool only_waits_more(const Words& before, const Words& now) {
+    const WithoutWaits then(before), today(now);
+    return today.waits > then.waits && then.words == today.words;
+}
 
 bool only_tends_runtime(const Words& before, const Words& now) {
     const EditedTexts texts(before, now);

@@ -19,4 +19,9 @@ bool only_tends_runtime(const Words& before, const Words& now);
 /// runtime of that kind.
 bool only_tends_foreign_runtime(const Words& before, const Words& now, const Words& other);
 
+/// True if an edit only made a text wait more often for what it gave a runtime to do.
+///
+///     q.memcpy(&n, p, 4);          q.memcpy(&n, p, 4).wait();
+bool only_waits_more(const Words& before, const Words& now);
+
 }  // namespace porttool

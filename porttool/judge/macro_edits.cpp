@@ -10,9 +10,11 @@
 #include "porttool/compare/alignment.h"
 #include "porttool/compare/asides.h"
 #include "porttool/compare/paired_names.h"
+#include "porttool/language/words.h"
 #include "porttool/normal/locals.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
@@ -47,13 +49,23 @@ std::string_view plain_word(std::string_view word) { return word.substr(word.sta
 
 bool is_member(const NormalText& text, size_t i) { return i > 0 && (text[i - 1] == "." || text[i - 1] == "->"); }
 
+/// True if a text says, anywhere, of a word that it is one of its locals; its branches for the compiler may say so
+/// twice.
+bool declares_word(const NormalText& text, std::string_view word) {
+    for (size_t i = 1; i + 1 < text.size(); ++i)
+        if (text[i] == word && is_type_word(text[i - 1]) && is_one_of(text[i + 1], {"=", ";", ",", "[", ")"}))
+            return true;
+    return false;
+}
+
 /// True if a text has a word that is neither a local of its own nor a member.
 bool uses_word(const NormalText& text, std::string_view word) {
     std::optional<std::vector<size_t>> locals;
     for (size_t i = 0; i < text.size(); ++i) {
         if (text[i] != word || is_member(text, i)) continue;
         if (!locals) locals = local_numbers(text.words());
-        if (locals->empty() || (*locals)[i] == 0) return true;
+        if (locals->empty()) return !declares_word(text, word);
+        if ((*locals)[i] == 0) return true;
     }
     return false;
 }
@@ -219,8 +231,21 @@ std::string MacroEdits::edit_of(const JudgedPair& pair, const LockedPair& line, 
     }
     if (now == recorded) return {};
     const Print print = (side == Side::Source ? line.source_prints : line.target_prints).written;
-    return print != unit->prints.written ? of_words_in(unit->text, difference(recorded, now))
-                                         : difference(recorded, now);
+    const std::string edit = difference(recorded, now);
+    return without_shared(pair, side, print != unit->prints.written ? of_words_in(unit->text, edit) : edit);
+}
+
+/// Without macros that are gone from the side where the file that uses them includes the other side's, which has them.
+std::string MacroEdits::without_shared(const JudgedPair& pair, Side side, const std::string& edit) {
+    const UnitState* there = pair.unit[other(side)];
+    if (edit.empty() || there == nullptr) return edit;
+    std::string out;
+    for (const auto& [word, hash] : words_with_macros(edit)) {
+        const auto shared = hash == "-" ? macros(other(side)).first_seen(there->file, word) : std::nullopt;
+        if (shared && shared_files_.includes(side, pair.unit[side]->file, shared->file)) continue;
+        out += (out.empty() ? "" : " ") + std::string(word) + ":" + std::string(hash);
+    }
+    return out;
 }
 
 /// What is declared otherwise of words that the text has, as it had them when it was recorded, and that is told by no

@@ -10,6 +10,7 @@
 
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/judge.h"
+#include "porttool/judge/shared_files.h"
 #include "porttool/normal/word_macros.h"
 
 namespace porttool {
@@ -21,7 +22,7 @@ namespace porttool {
 class MacroEdits {
 public:
     /// Both must outlive it.
-    MacroEdits(const Case& facts, FindingList& findings) : facts_(facts), findings_(findings) {}
+    MacroEdits(const Case& facts, FindingList& findings) : facts_(facts), findings_(findings), shared_files_(facts) {}
 
     /// Adds the finding of a pair, if there is one. `line`: the pair's in the lock, or nullptr. One that does not say
     /// what macros made of the texts then is older than this question.
@@ -37,6 +38,7 @@ private:
     };
 
     std::string edit_of(const JudgedPair& pair, const LockedPair& line, Side side);
+    std::string without_shared(const JudgedPair& pair, Side side, const std::string& edit);
     std::string declared_edit(const JudgedPair& pair, const LockedPair& line, Side side);
     bool leads_to(const UnitState& unit, Side side, std::string_view word);
     bool is_told_elsewhere(Side side, const WordMacro& declared);
@@ -50,6 +52,7 @@ private:
 
     const Case& facts_;
     FindingList& findings_;
+    SharedFiles shared_files_;
     BySide<std::optional<WordMacros>> macros_;
     /// Constants and structs by their files, and the units that pairs watch; filled when first asked.
     BySide<std::optional<std::multimap<std::string_view, const UnitState*>>> declaring_;

@@ -16,8 +16,11 @@
 #include "porttool/compare/named_parts.h"
 #include "porttool/compare/other_rounding.h"
 #include "porttool/compare/own_fields.h"
+#include "porttool/compare/own_switches.h"
 #include "porttool/compare/own_words.h"
 #include "porttool/compare/paired_names.h"
+#include "porttool/compare/retyping.h"
+#include "porttool/compare/runtime_calls.h"
 #include "porttool/compare/runtime_upkeep.h"
 #include "porttool/compare/runtime_versions.h"
 #include "porttool/compare/settled_edits.h"
@@ -33,6 +36,8 @@ namespace porttool {
 namespace {
 
 ChangeKind kind_of(Change change) { return change == Change::Constant ? ChangeKind::Constant : ChangeKind::Semantic; }
+
+constexpr size_t kNoSlip = 12;  ///< words of an edit that nobody makes by mistake
 
 Rule changed_rule(Side side) { return side == Side::Source ? Rule::SourceChanged : Rule::TargetChanged; }
 
@@ -85,12 +90,16 @@ void weaken(const JudgedPair& pair, Finding& finding, Level level, const std::st
         "Compare the two once; if nothing is left to port, run: porttool accept " + argument(pair.id.source, finding);
 }
 
+size_t words_edited(const Words& before, const Words& now) {
+    const std::vector<DiffStep> steps = diff(before, now);
+    return static_cast<size_t>(
+        std::count_if(steps.begin(), steps.end(), [](const DiffStep& step) { return step.kind != DiffStep::Keep; }));
+}
+
 /// What a person would change by mistake.
 bool is_of_few_words(const Words& before, const Words& now) {
     constexpr size_t kFew = 4;
-    const std::vector<DiffStep> steps = diff(before, now);
-    return std::count_if(steps.begin(), steps.end(), [](const DiffStep& step) { return step.kind != DiffStep::Keep; }) <
-           static_cast<std::ptrdiff_t>(kFew);
+    return words_edited(before, now) < kFew;
 }
 
 /// True if an edit only took words away.
@@ -137,10 +146,34 @@ bool differ_in_rounding(const PairTexts& texts, const Dialect& dialect, const By
     return any && compare_edits({words[0], words[1], words[2], words[3]}, dialect, languages).equivalent;
 }
 
+/// True if both edits did nothing but give things another type, and the same one.
+bool retype_alike(const PairTexts& texts) {
+    const auto source = only_retypes(texts.source_before, texts.source_now);
+    return source && source == only_retypes(texts.target_before, texts.target_now);
+}
+
+/// True if edits of both sides are for the most part one where branches for the compiler that only one side has are
+/// taken for on.
+bool are_one_without_switches(const SwitchlessTexts& said, const Dialect& dialect, const BySide<Language>& languages) {
+    const auto words = [](const std::vector<std::string>& text) { return Words(text.begin(), text.end()); };
+    const Words source_before = words(said.source_before), source_now = words(said.source_now),
+                target_before = words(said.target_before), target_now = words(said.target_now);
+    const PairTexts texts{source_before, source_now, target_before, target_now};
+    return compare_edits(texts, dialect, languages).equivalent || edits_spot_by_spot(texts, dialect) ||
+           (edits_in_own_words(texts, dialect) && grouping_of_edits(texts, dialect) == Grouping::Alike &&
+            !edits_contradict(texts, dialect));
+}
+
 }  // namespace
 
 PairJudge::PairJudge(const Case& facts, const BySide<RenamedNames>& renamed, FindingList& findings)
-    : facts_(facts), renamed_(renamed), findings_(findings), dialect_(dialect_of_edits(facts.map)), own_names_(facts) {
+    : facts_(facts),
+      renamed_(renamed),
+      findings_(findings),
+      dialect_(dialect_of_edits(facts.map)),
+      own_names_(facts),
+      swept_names_(facts),
+      shared_files_(facts) {
     for (const SkippedFile& file : facts.skipped) unread_.emplace(file.file, file.reason);
 }
 
@@ -184,7 +217,10 @@ void PairJudge::examine(JudgedPair& pair, const LockedPair* lock) {
     if (pair.unit.source == nullptr || pair.unit.target == nullptr) {
         const size_t first = findings_.size();
         report_gone(pair, lock != nullptr);
-        if (lock != nullptr) weaken_if_gone_before(pair, first);
+        if (lock != nullptr) {
+            weaken_if_shared(pair, first);
+            weaken_if_gone_before(pair, first);
+        }
         return;
     }
     if (lock != nullptr) compare(pair, *lock);
@@ -218,6 +254,20 @@ void PairJudge::report_gone(const JudgedPair& pair, bool is_recorded) {
         findings_.add(Rule::Orphaned, pair, ChangeKind::Removed, source + " is gone; its port is still there");
     } else {
         findings_.add(Rule::DeadLink, pair, {}, "the map names a source unit that is not there: " + source);
+    }
+}
+
+/// A port that is gone where its folder includes the original's own file is that original now: there is
+/// but one text, whatever was edited in it.
+void PairJudge::weaken_if_shared(const JudgedPair& pair, size_t first) {
+    if ((pair.unit.source == nullptr) == (pair.unit.target == nullptr)) return;
+    const Side there = pair.unit.source != nullptr ? Side::Source : Side::Target;
+    const UnitState& unit = *pair.unit[there];
+    if (!shared_files_.folder_includes(other(there), split_id(pair.id[other(there)]).first, unit.file)) return;
+    for (Finding& finding : findings_.from(first)) {
+        finding.level = std::min(finding.level, Level::Note);
+        finding.message += "; " + unit.file + " is included there in its place";
+        finding.remedy = "Remove the [[pair]] from portmap.toml: both sides use one text now";
     }
 }
 
@@ -386,6 +436,8 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
     }
     if (only_respells_members(texts.before, texts.now))
         return weaken(pair, finding, Level::Note, "it only reaches members through a pointer, or no longer does");
+    if (swept_names_.are_all(side, texts.before, texts.now))
+        return weaken(pair, finding, Level::Note, "it only gives a type its new name, as all of that side does");
     if (structs) {
         if (only_changes_fields_of_its_own(texts))
             weaken(pair, finding, Level::Note, "the two structs never had most of their fields in common");
@@ -417,6 +469,8 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
     if (is_own_matter && only_gives_first_values(texts.before, texts.now))
         return weaken(pair, finding, Level::Note, "it only gives first values to names that had none");
     const std::string there_is = side == Side::Source ? "the port" : "the source";
+    if (is_own_matter && only_waits_more(texts.before, texts.now))
+        return weaken(pair, finding, Level::Note, "it only waits more often for its own device");
     if (only_tends_foreign_runtime(texts.before, texts.now, texts.other))
         return weaken(pair, finding, Level::Note,
                       "it only keeps house with a runtime that " + there_is + " does not call");
@@ -430,12 +484,14 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
     }
     if (const Nearing nearing = draws_nearer(texts, dialect_); nearing != Nearing::No) {
         const bool in_order = nearing == Nearing::Yes;
-        return weaken(pair, finding, in_order && !only_takes(texts.before, texts.now) ? Level::Note : Level::Warning,
+        const bool is_slip = only_takes(texts.before, texts.now) && words_edited(texts.before, texts.now) < kNoSlip;
+        return weaken(pair, finding, in_order && !is_slip ? Level::Note : Level::Warning,
                       there_is + (in_order ? " has most of it" : " has its words, some in other places"));
     }
     const OffGround off = off_common_ground(texts, dialect_);
     if (off == OffGround::No) return;
-    const bool is_note = off == OffGround::Surely || is_own_matter || only_tends_runtime(texts.before, texts.now);
+    const bool is_note = off != OffGround::Hardly &&
+                         (off == OffGround::Surely || is_own_matter || only_tends_runtime(texts.before, texts.now));
     pair.is_of_own_part = is_note;
     weaken(pair, finding, is_note ? Level::Note : Level::Warning, there_is + " has nothing like what it changes");
 }
@@ -491,6 +547,11 @@ void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& be
     else if (is_declared_alike &&
              (differ_in_rounding(texts, dialect_, languages) || differ_in_rounding(learned, dialect_, languages)))
         weigh(Level::Note, "one side computes in several steps what the other computes in one");
+    else if (is_declared_alike && retype_alike(texts))
+        weigh(Level::Note, "both only give the same things another type, the same one");
+    else if (const auto bare = without_own_switches(texts);
+             bare && are_one_without_switches(*bare, dialect_, languages))
+        weigh(Level::Note, "each side says what the other does, one of them within branches for the compiler");
     else if (edits_in_own_words(texts, dialect_))
         weigh(grouping_of_edits(texts, dialect_) == Grouping::Alike && !edits_contradict(learned, dialect_)
                   ? Level::Note
@@ -499,6 +560,9 @@ void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& be
     else if (is_declared_alike && (edits_leave_no_difference(texts, dialect_, languages) ||
                                    edits_leave_no_difference(learned, dialect_, languages)))
         weigh(Level::Note, "what came is the same, and what each had in its own words is gone");
+    else if (drives_device(then.source) && drives_device(then.target) &&
+             words_edited(then.source, now.source) >= kNoSlip && words_edited(then.target, now.target) >= kNoSlip)
+        weigh(Level::Warning, "both allocate, copy or launch, each in its own way");
 }
 
 }  // namespace porttool

@@ -12,6 +12,8 @@
 #include "porttool/judge/lock_index.h"
 #include "porttool/judge/own_names.h"
 #include "porttool/judge/resolve.h"
+#include "porttool/judge/shared_files.h"
+#include "porttool/judge/swept_names.h"
 
 namespace porttool {
 
@@ -36,6 +38,7 @@ private:
 
     void examine(JudgedPair& pair, const LockedPair* lock);
     void report_gone(const JudgedPair& pair, bool is_recorded);
+    void weaken_if_shared(const JudgedPair& pair, size_t first);
     void weaken_if_gone_before(const JudgedPair& pair, size_t first);
     std::string call_in_place_of(const std::string& gone) const;
     void report_moved(const JudgedPair& pair, Side side);
@@ -58,7 +61,9 @@ private:
     Dialect dialect_;
     CompareBudget budget_;
     bool found_one_edit_ = false;
-    mutable OwnNames own_names_;                 ///< what was asked of it is kept
+    mutable OwnNames own_names_;      ///< what was asked of it is kept
+    mutable SweptNames swept_names_;  ///< the same
+    SharedFiles shared_files_;
     std::map<std::string, std::string> unread_;  ///< files, and why
 };
 

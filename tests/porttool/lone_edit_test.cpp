@@ -275,6 +275,8 @@ const std::vector<LabelledEdit> kSilent = {
     {".cpp", kC, "unsigned int k", "std::uint32_t k"},
     {".cu", kC, "unsigned int k", "uint k"},
     {".cpp", kMember, "unsigned char c", "uint8_t c"},
+    {".cpp", "float f(unsigned __int64 n, __int64 k) { return n + k; }", "unsigned __int64 n, __int64 k",
+     "uint64_t n, int64_t k"},
     {".cl", kOpenCl, "const uint n", "const unsigned int n"},
     {".cl", kOpenCl, "__kernel", "kernel"},
     {".cl", kOpenCl, "__local float tile", "local float tile"},

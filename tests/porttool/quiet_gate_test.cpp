@@ -430,6 +430,102 @@ TEST(QuietGate, AMacroThatATextUsesNoLonger) {
     EXPECT_EQ(after("#define K_MOST 8\n" + text), Loud{"source-changed s/k.cu:f"}) << "text and macro apart";
 }
 
+TEST(QuietGate, APortThatIncludesTheOriginalNow) {
+    const std::string helper = "float g(float x) { return x * 2.0f + 0.5f; }\n", limit = "#define MOST 8\n",
+                      text = "int f(int n, int k) { return n > MOST ? k : n + (int)g(k); }\n";
+    const std::vector<std::string> pairs = {"s/k.cu:f=t/k.cpp:f", "s/both.h:g=t/k.cpp:g", "s/both.h:MOST=t/k.cpp:MOST"};
+    const auto after = [&](const Texts& now) {
+        return loud({{"s/both.h", limit + helper},
+                     {"s/k.cu", "#include \"both.h\"\n" + text},
+                     {"t/k.cpp", limit + helper + text}},
+                    now, pairs);
+    };
+    EXPECT_EQ(after({{"t/k.cpp", "#include \"both.h\"\n" + text}}), Loud{});
+    EXPECT_EQ(after({{"t/k.cpp", "#include \"../s/both.h\"\n" + text}}), Loud{});
+    EXPECT_EQ(
+        after({{"t/k.cpp", "#include \"both.h\"\n" + text}, {"s/both.h", limit + replaced(helper, "0.5f", "0.7f")}}),
+        Loud{})
+        << "an edit of the one text that there is";
+    // Another file, one of the port's own, and nothing.
+    EXPECT_EQ(after({{"t/k.cpp", "#include \"one.h\"\n" + text}}).size(), 2u);
+    EXPECT_EQ(after({{"t/k.cpp", "#include \"both.h\"\n" + text}, {"t/both.h", "int none;\n"}}).size(), 2u);
+    EXPECT_EQ(after({{"t/k.cpp", text}}).size(), 2u);
+}
+
+TEST(QuietGate, ATypeThatGotAnotherNameThroughout) {
+    const std::string names = "using rgbaf = tuple4<float>;\nusing rgbad = tuple4<double>;\n",
+                      f = "float f(float x) { rgbaf sum = rgbaf(x); return sum.first() * x; }\n",
+                      g = "float g(float x, float y) { rgbaf sum = rgbaf(x, y); return sum.last() - y; }\n",
+                      h = "float h(float x) { rgbad sum = rgbad(x); return sum.last() + x; }\n";
+    const std::string source =
+        "float f(float x) { float4 sum = (float4)(x); return first(sum) * x; }\n"
+        "float g(float x, float y) { float4 sum = pair(x, y); return last(sum) - y; }\n"
+        "float h(float x) { double4 sum = wide(x); return last(sum) + x; }\n";
+    const auto after = [&](const std::string& now) {
+        return loud({{"s/k.cl", source}, {"t/k.cpp", names + f + g + h}}, {{"t/k.cpp", now}},
+                    {"s/k.cl:f=t/k.cpp:f", "s/k.cl:g=t/k.cpp:g", "s/k.cl:h=t/k.cpp:h"})
+            .size();
+    };
+    const auto renamed = [](std::string text, const std::string& to) {
+        for (size_t at = text.find("rgbaf"); at != std::string::npos; at = text.find("rgbaf", at))
+            text.replace(at, 5, to);
+        return text;
+    };
+    EXPECT_EQ(after(renamed(names + f + g, "RgbaF") + h), 0u);
+    EXPECT_EQ(after("// rgbaf no longer\n" + renamed(names + f + g, "RgbaF") + h), 0u);
+    // The old name is still there; the new one was, or means nothing; more was edited; one function alone.
+    EXPECT_GT(after("using RgbaF = tuple4<half>;\n" + names + renamed(f + g, "RgbaF") + h), 0u);
+    EXPECT_GT(after("using rgbad = tuple4<double>;\n" + renamed(f + g, "rgbad") + h), 0u);
+    EXPECT_GT(after("using rgbad = tuple4<double>;\n" + renamed(f + g, "RgbaF") + h), 0u);
+    EXPECT_GT(after(renamed(names + replaced(f, "* x", "/ x") + g, "RgbaF") + h), 0u);
+    EXPECT_GT(after(renamed(names + f, "RgbaF") + replaced(renamed(g, "RgbaF"), "- y", "+ y") + h), 0u);
+}
+
+TEST(QuietGate, WaitingMoreOftenForTheOwnDevice) {
+    const std::string source =
+                          "void f(int* n, const int* p, int k) { cudaMemcpy(n, p, 4, cudaMemcpyDeviceToHost); "
+                          "if (*n > k) { *n = k; } }\n",
+                      port =
+                          "void f(queue& q, int* n, const int* p, int k) { q.memcpy(n, p, 4); "
+                          "if (*n > k) { *n = k; } }\n",
+                      copy = "q.memcpy(n, p, 4)";
+    const auto after = [&](const std::string& before, const std::string& now) {
+        return loud({{"s/k.cu", source}, {"t/k.cpp", before}}, {{"t/k.cpp", now}}, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const Loud told = {"target-changed s/k.cu:f"};
+    const std::string waits = replaced(port, copy, copy + ".wait()"),
+                      waits_then = replaced(port, copy, copy + "; q.wait()");
+    EXPECT_EQ(after(port, waits), Loud{});
+    EXPECT_EQ(after(port, waits_then), Loud{});
+    EXPECT_EQ(after(waits, port), told) << "no longer";
+    EXPECT_EQ(after(waits_then, port), told);
+    EXPECT_EQ(after(port, replaced(waits, "*n > k", "*n >= k")), told) << "and more";
+    EXPECT_EQ(loud({{"s/k.cu", source}, {"t/k.cpp", waits}},
+                   {{"s/k.cu", replaced(source, "if (*n", "cudaDeviceSynchronize(); if (*n")}}, {"s/k.cu:f=t/k.cpp:f"}),
+              Loud{"source-changed s/k.cu:f"})
+        << "what the original lacked the port may lack";
+}
+
+TEST(QuietGate, EnumeratorsInBranchesForTheCompiler) {
+    const std::string before = "enum Part {\n  Red = 1,\n  All = 7\n};\n",
+                      now = "enum Part {\n  Red = 1,\n#ifdef WIDE\n  All = 7,\n#else\n  All = 7\n#endif\n};\n",
+                      text = "int f(int n, int k) { if (n > k) { k = n; } else { k = Red; } return k; }\n";
+    EXPECT_EQ(loud({{"s/k.cu", text}, {"t/k.cpp", before + text}}, {{"t/k.cpp", now + text}}, {"s/k.cu:f=t/k.cpp:f"}),
+              Loud{})
+        << "`else` is none";
+}
+
+TEST(QuietGate, ALocalInATextWithBranchesForTheCompiler) {
+    const std::string
+        text = "int f(int n) {\n#ifdef WIDE\n  n *= 2;\n#endif\n  const int step = 4;\n  return n * step;\n}\n",
+        head = "struct Manner {\n  static constexpr int step = ";
+    const auto after = [&](const std::string& used) {
+        return loud({{"s/k.cu", head + "2;\n};\n" + used}, {"t/k.cpp", text}}, {{"s/k.cu", head + "3;\n};\n" + used}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(after(text), Loud{});
+}
+
 TEST(QuietGate, ScopesOfNames) {
     const std::string port = "void f(float* y, nd_item<3>& item) { y[item.get(2)] = std::max(y[0], y[1]); }";
     const auto after = [&](const std::string& from, const std::string& to) {

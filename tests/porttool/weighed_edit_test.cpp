@@ -420,6 +420,62 @@ TEST(WeighedEdit, AnotherSpellingOfACall) {
     });
 }
 
+TEST(WeighedEdit, TheSameThingsGetTheSameType) {
+    const BySide<std::string> was = {
+        "__global__ void f(float* y, const float* x, int n) {\n  int i = blockIdx.x * blockDim.x + threadIdx.x;\n"
+        "  if (i >= n) return;\n  y[i] = x[i] * 0.5f;\n}\n",
+        "void f(span y, span x, int n) {\n  for (int i = 0; i < n; ++i) { y.store(i, x.load(i) * 0.5f); }\n}\n"};
+    const auto row = [&](const std::string& what, const std::string& source, const std::string& target,
+                         const Rules& rules) {
+        const std::string index = "int i = blockIdx.x";
+        return Weighed{
+            what,
+            was,
+            {replaced(replaced(was.source, index, source + " i = (" + source + ") blockIdx.x"), "int n", source + " n"),
+             replaced(replaced(was.target, "int i =", target + " i ="), "int n", target + " n")},
+            rules};
+    };
+    const Rules told = {"port-differs"};
+    Weighed other = row("and more", "size_t", "size_t", told);
+    other.now.target = replaced(other.now.target, "0.5f", "0.25f");
+    Weighed lone = row("one of them", "size_t", "size_t", told);
+    lone.now.target = replaced(was.target, "int n", "size_t n");
+    const Weighed bound{"another thing",
+                        was,
+                        {replaced(was.source, "int n", "size_t n"), replaced(was.target, "int i =", "size_t i =")},
+                        told};
+    expect_all({row("both", "size_t", "size_t", {}), row("another one", "size_t", "short", told), other, lone, bound});
+}
+
+TEST(WeighedEdit, BranchesForTheCompilerThatOneSideHas) {
+    const BySide<std::string> was = {
+        "float f(__global const Leaf* leaf, float3 p, float3 n, float most, float lim) {\n"
+        "  float best = most;\n  if ((apart(p, leaf->p) < best) && (dot(n, vload(leaf->n)) > lim)) {\n"
+        "    best = apart(p, leaf->p);\n  }\n  return best * lim;\n}\n",
+        "float f(const Leaf& leaf, const Point& p, const Normal& n, float most, float lim) {\n"
+        "  float best = most;\n  if ((Apart(p, leaf.p) < best) && (Dot(n, leaf.n) > lim)) {\n"
+        "    best = Apart(p, leaf.p);\n  }\n  return best * lim;\n}\n"};
+    const auto with = [&](const std::string& source, const std::string& target) {
+        return BySide<std::string>{
+            replaced(replaced(was.source, "&& (dot(n, vload(leaf->n)) > lim)", source), "float lim)",
+                     "float lim\n#if defined(HAS_FOG)\n, int is_fog, float thin\n#endif\n)"),
+            replaced(replaced(was.target, "&& (Dot(n, leaf.n) > lim)", target), "float lim)",
+                     "float lim, int is_fog, float thin)")};
+    };
+    const auto fog = [](const std::string& first, const std::string& last) {
+        return "&&\n#" + first + "\n (leaf->is_fog == is_fog) && (leaf->thin < thin) && (is_fog ||\n#endif\n" +
+               "(dot(n, vload(leaf->n)) > lim)\n#" + first + "\n" + last + "\n#endif\n";
+    };
+    const std::string there = "&& (leaf.is_fog == is_fog) && (leaf.thin < thin) && (is_fog || (Dot(n, leaf.n) > lim))";
+    const Rules told = {"port-differs"};
+    expect_all({
+        {"under a switch", was, with(fog("if defined(HAS_FOG)", ")"), there), {}},
+        {"under another sign", was,
+         with(fog("if defined(HAS_FOG)", ")"), replaced(there, "thin < thin", "thin > thin")), told},
+        {"where it is off", was, with(fog("ifndef HAS_FOG", ")"), there), told},
+    });
+}
+
 TEST(WeighedEdit, WhatIsPrintedOrTimed) {
     const BySide<std::string> same = {"void f(float* p, float d) { p[0] = d * 2; p[1] = d; }",
                                       "void f(float* p, float d) { p[0] = d * 2; p[1] = d; }"};

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "porttool/compare/meaning.h"
+
+namespace porttool {
+
+/// The texts of a pair without the lines that put something under a switch which only one side knows: what stands
+/// between is said where the switch is on, which is when the two sides are to do the same. Switches with an `#else`
+/// stay, and so does what is said where something is not defined. Nothing where there are none.
+///
+///     source      near ( p , n # ifdef HAS_FOG , fog # endif )        near ( p , n , fog )
+///     port        near ( p , n , fog )                                as it is
+struct SwitchlessTexts {
+    std::vector<std::string> source_before, source_now, target_before, target_now;
+};
+std::optional<SwitchlessTexts> without_own_switches(const PairTexts& texts);
+
+}  // namespace porttool

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "porttool/judge/judge.h"
+
+namespace porttool {
+
+/// Files of one side that files of the other include: what stands in them is the text of both, and has no port.
+///
+///     src/scan-cuda/reference.h      float reference(...) {...}
+///     src/scan-sycl/main.cpp         #include "reference.h"          where src/scan-sycl/ has no such file
+class SharedFiles {
+public:
+    /// `facts` must outlive it.
+    explicit SharedFiles(const Case& facts) : facts_(facts) {}
+
+    /// True if a file of that side includes one of the other side.
+    bool includes(Side side, std::string_view path, std::string_view there);
+
+    /// True if any file in the folder of a file of that side does, which need not be there any more; or includes the
+    /// header beside one of the other side that has its name.
+    bool folder_includes(Side side, std::string_view path, std::string_view there);
+
+private:
+    /// What files of one side include that they do not have beside them, by their paths.
+    using Includes = std::map<std::string, std::vector<std::string>, std::less<>>;
+
+    const Includes& foreign_includes(Side side);
+
+    const Case& facts_;
+    BySide<std::optional<Includes>> includes_;  ///< filled when first asked
+};
+
+}  // namespace porttool

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/judge/swept_names.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <unordered_map>
+
+#include "porttool/scan/declared_words.h"
+#include "porttool/scan/scan.h"
+
+namespace porttool {
+namespace {
+
+constexpr size_t kSeveral = 2;  ///< units that were edited by nothing else
+
+/// The words that took the place of others, each with its own, where that is all that happened; else nothing.
+std::set<std::pair<std::string, std::string>> exchanged_names(const Words& before, const Words& now) {
+    std::set<std::pair<std::string, std::string>> out;
+    if (before.size() != now.size()) return out;
+    for (size_t i = 0; i < before.size(); ++i) {
+        if (before[i] == now[i]) continue;
+        if (!is_word_token(before[i]) || !is_word_token(now[i])) return {};
+        out.emplace(before[i], now[i]);
+    }
+    return out;
+}
+
+bool has_word(std::string_view text, std::string_view word) {
+    const auto is_part = [](char c) { return is_word_token(std::string_view(&c, 1)) || (c >= '0' && c <= '9'); };
+    for (size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+        const size_t end = at + word.size();
+        if ((at == 0 || !is_part(text[at - 1])) && (end == text.size() || !is_part(text[end]))) return true;
+    }
+    return false;
+}
+
+/// True if it stands elsewhere than in a comment.
+bool is_in_code(const ScannedFile& file, std::string_view name) {
+    for (size_t i = 0; i < file.lexed.tokens.size(); ++i)
+        if (file.lexed.view(file.lexed.tokens[i]) == name) return true;
+    return false;
+}
+
+bool has_name(const UnitText& text, std::string_view name) {
+    bool out = false;
+    text.each_name([&](std::string_view one) { out = out || one == name; });
+    return out;
+}
+
+const std::map<std::string, UnitState>& units_on(const Case& facts, Side side) {
+    return side == Side::Source ? facts.source : facts.target;
+}
+
+/// The prints of a side's recorded units, by their ids.
+std::unordered_map<std::string_view, Print> recorded_texts(const Case& facts, Side side) {
+    std::unordered_map<std::string_view, Print> out;
+    for (const LockedPair& line : facts.lock.pairs)
+        out.emplace(side == Side::Source ? line.source : line.target,
+                    (side == Side::Source ? line.source_prints : line.target_prints).written);
+    for (const LockedUnit& line : facts.lock.baseline)
+        if (line.side == side_word(side)) out.emplace(line.id, line.prints.written);
+    return out;
+}
+
+}  // namespace
+
+bool SweptNames::are_all(Side side, const Words& before, const Words& now) {
+    const auto names = exchanged_names(before, now);
+    return facts_.files && !names.empty() &&
+           std::all_of(names.begin(), names.end(), [&](const Name& name) { return is_swept(side, name); });
+}
+
+bool SweptNames::is_swept(Side side, const Name& name) {
+    const auto [known, is_first] = known_[side].try_emplace(name, false);
+    if (is_first)
+        known->second = times_alone(side, name) >= kSeveral && is_gone(side, name.first) &&
+                        is_type(side, name.second) && is_new(side, name.second);
+    return known->second;
+}
+
+bool SweptNames::is_gone(Side side, const std::string& name) const {
+    const FilesOfSide& files = (*facts_.files)[side];
+    for (size_t i = 0; i < files.size(); ++i)
+        if (has_word(files.text(i), name) && is_in_code(files.scanned(i), name)) return false;
+    return true;
+}
+
+/// True if the side declares a type, or another name of one, by that word.
+bool SweptNames::is_type(Side side, const std::string& name) const {
+    for (const auto& [id, unit] : units_on(facts_, side))
+        if (unit.kind == UnitKind::Struct && bare_leaf_of(unit.name) == name) return true;
+    const FilesOfSide& files = (*facts_.files)[side];
+    for (size_t i = 0; i < files.size(); ++i) {
+        if (!has_word(files.text(i), name)) continue;
+        const std::vector<DeclaredWord> said = declared_words(files.scanned(i));
+        if (std::any_of(said.begin(), said.end(), [&](const DeclaredWord& one) {
+                return one.kind == DeclaredWord::Kind::Type && word_of(files.scanned(i), one) == name;
+            }))
+            return true;
+    }
+    return false;
+}
+
+/// True if no unit that is as it was recorded has the word.
+bool SweptNames::is_new(Side side, const std::string& name) const {
+    const auto recorded = recorded_texts(facts_, side);
+    for (const auto& [id, unit] : units_on(facts_, side)) {
+        const auto then = recorded.find(id);
+        if (then == recorded.end() || then->second != unit.prints.written) continue;
+        if (has_name(unit.text, name)) return false;
+    }
+    return true;
+}
+
+size_t SweptNames::times_alone(Side side, const Name& name) {
+    const auto& all = lone_renamings(side);
+    const auto found = all.find(name.first + " " + name.second);
+    return found == all.end() ? 0 : found->second;
+}
+
+/// In how many watched units one name took another's place, and nothing else was edited.
+const std::map<std::string, size_t>& SweptNames::lone_renamings(Side side) {
+    if (lone_[side]) return *lone_[side];
+    std::map<std::string, size_t>& out = lone_[side].emplace();
+    std::set<std::string_view> seen;
+    for (const LockedPair& line : facts_.lock.pairs) {
+        const std::string& id = side == Side::Source ? line.source : line.target;
+        const Print then = (side == Side::Source ? line.source_prints : line.target_prints).written;
+        const auto unit = units_on(facts_, side).find(id);
+        if (unit == units_on(facts_, side).end() || unit->second.prints.written == then || !seen.insert(id).second)
+            continue;
+        const NormalText before = facts_.base_text(then);
+        const auto names = exchanged_names(before.words(), unit->second.text.words());
+        if (names.size() == 1) ++out[names.begin()->first + " " + names.begin()->second];
+    }
+    return out;
+}
+
+}  // namespace porttool
