@@ -9,8 +9,10 @@ Opens the window under Xvfb, drags with the left button by xdotool, --drags time
 a second without any, the others are --seconds of moves, --rate a second. A camera.json beside a scene is used. Prints what
 the log's `answered_ms` are (--log; from the first input that no pixels have answered yet): median, nine in ten, the slowest,
 those of single moves apart, and how many pictures a second a moving hand was shown. Exits with 1 where the median of single
-moves, or of moving hands, is 100 ms or more. With --priority N all of it runs at that real-time priority (chrt, as root), for
-machines that have other work, which then waits.
+moves, or of moving hands, is 100 ms or more. On a machine
+that has other work, run it in a session of its own that comes first (as root; all else then waits):
+
+    setsid -w sh -c 'echo -20 > /proc/self/autogroup; exec bench/drags.py build/release/bin/pathtracer --scene still_life'
 """
 import argparse
 import json
@@ -25,10 +27,10 @@ import time
 LIMIT_MS = 100
 
 
-def screen(before):
+def screen():
     """An X server without a screen, and its display."""
     ends = os.pipe()
-    server = subprocess.Popen([*before, "Xvfb", "-displayfd", str(ends[1]), "-screen", "0", "1280x720x24", "-nolisten", "tcp"],
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(ends[1]), "-screen", "0", "1280x720x24", "-nolisten", "tcp"],
                               pass_fds=[ends[1]], stderr=subprocess.DEVNULL)
     os.close(ends[1])
     with os.fdopen(ends[0]) as pipe:
@@ -36,17 +38,16 @@ def screen(before):
 
 
 class Window:
-    def __init__(self, given, scene, folder, display, before):
+    def __init__(self, given, scene, folder, display):
         self.log = pathlib.Path(folder) / "log.jsonl"
         self.log.unlink(missing_ok=True)
         self.environment = {**os.environ, "DISPLAY": display}
-        self.before = before
         width, height = map(int, given.size.split("x"))
         self.middle = (width // 2, height * 3 // 4)  # where no panel stands
         camera = pathlib.Path(scene).parent / "camera.json"
         more = ["--camera", str(camera)] if camera.is_file() else []
         self.process = subprocess.Popen(
-            [*before, str(given.program.resolve()), "view", scene, "--size", given.size, "--core", given.core, "--filter",
+            [str(given.program.resolve()), "view", scene, "--size", given.size, "--core", given.core, "--filter",
              given.filter, "--spp", str(given.spp), "--log", str(self.log), *more], env=self.environment, stderr=subprocess.PIPE)
 
     def events(self):
@@ -61,7 +62,7 @@ class Window:
             time.sleep(0.1)
 
     def xdotool(self, *arguments):
-        subprocess.run([*self.before, "xdotool", *map(str, arguments)], check=True, env=self.environment)
+        subprocess.run(["xdotool", *map(str, arguments)], check=True, env=self.environment)
 
     def drag(self, moves, pause):
         """The answers to a drag of so many moves, in ms, and how many seconds it took."""
@@ -96,21 +97,19 @@ def main():
     parser.add_argument("--size", default="640x360")
     parser.add_argument("--core", default="target")
     parser.add_argument("--filter", default="temporal")
-    parser.add_argument("--spp", default=64, help="as many samples and then it rests")
+    parser.add_argument("--spp", default=64, help="how many until it rests")
     parser.add_argument("--single", type=int, default=15)
     parser.add_argument("--drags", type=int, default=3)
     parser.add_argument("--seconds", type=float, default=4.0)
     parser.add_argument("--rate", type=float, default=30.0)
-    parser.add_argument("--priority", type=int)
     given = parser.parse_args()
-    before = ["chrt", "-f", str(given.priority)] if given.priority else []
     missed = False
     print(f"{'scene':12} {'hand':8} {'answers':>8} {'median':>8} {'nine in ten':>12} {'slowest':>8}")
     for scene in given.scene:
         name = pathlib.Path(scene).parent.name or scene
-        server, display = screen(before)
+        server, display = screen()
         with tempfile.TemporaryDirectory() as folder:
-            window = Window(given, scene, folder, display, before)
+            window = Window(given, scene, folder, display)
             try:
                 window.wait_for_pixels()
                 time.sleep(3)

@@ -23,7 +23,7 @@ constexpr double PASS_MS = 40.0;
 /// Where a filter follows, for all of it: the first picture of a view is shown, whatever comes meanwhile.
 constexpr double FILTERED_PASS_MS = 20.0;
 /// From here on in parts: they cost a little.
-constexpr double LONG_SAMPLE_MS = 100.0;
+constexpr double LONG_SAMPLE_MS = 50.0;
 /// From here on a sample is one part: Mesa's lavapipe (22.3) loses 0.2 MB with each sample, however few its pixels.
 constexpr uint32_t SETTLED_SAMPLES = 16;
 

@@ -80,7 +80,10 @@ void ViewSession::note_input(const char* kind) {
 }
 
 void ViewSession::await(size_t core, double since_ms) {
-    if (is_answered_ || core != awaited_) asked_at_ms_ = since_ms;
+    if (is_answered_ || core != awaited_) {
+        asked_at_ms_ = since_ms;
+        asked_request_ = request_ + 1;  // which begins next
+    }
     awaited_ = core;
     is_answered_ = false;
 }
@@ -189,7 +192,7 @@ bool ViewSession::update() {
         is_stale_ = is_stale_ || is_needed(i);
         const CorePicture& now = pictures_[i];
         note_unfiltered(i);
-        if (now.request != request_ || i != awaited_ || is_answered_) continue;
+        if (now.request < asked_request_ || i != awaited_ || is_answered_) continue;
         is_answered_ = true;
         log_.say("pixels", {{"core", core_name(i)},
                             {"samples", now.stats.samples},
@@ -276,7 +279,8 @@ void ViewSession::note_kernels(const KernelNews& news) {
 }
 
 /// In split and difference the first core of the list is always the first picture. A core that has not drawn yet does
-/// not take the place of one that has.
+/// not take the place of one that has, nor an older picture that of a newer one. A hand may ask for more views than are
+/// drawn: it is shown those that are.
 void ViewSession::compose() {
     const auto has_drawn = [&](size_t core) { return pictures_[core].request > 0; };
     const auto levels = [&](size_t core) {
@@ -286,9 +290,9 @@ void ViewSession::compose() {
     if (composition_.show != Show::One && is_playing_ && pictures_[0].request != pictures_[1].request) return;
     if (composition_.show != Show::One && has_drawn(0) && has_drawn(1)) {
         image_ = composed(levels(0), levels(1), composition_);
-    } else if (has_drawn(active_) &&
-               (composition_.show != Show::One || pictures_[active_].request == request_ || image_.width == 1)) {
+    } else if (has_drawn(active_) && (composition_.show != Show::One || pictures_[active_].request >= shown_request_)) {
         image_ = levels(active_);
+        shown_request_ = pictures_[active_].request;
     }
 }
 

@@ -125,8 +125,10 @@ private:
     FilterMode filter_;
     Channels<uint8_t> image_;
     uint64_t request_ = 0;
-    double asked_at_ms_ = 0.0;  ///< when the first input came that no pixels have answered
-    size_t awaited_ = 0;        ///< the core whose pixels answer it
+    double asked_at_ms_ = 0.0;    ///< when the first input came that no pixels have answered
+    uint64_t asked_request_ = 0;  ///< the first that answers it
+    uint64_t shown_request_ = 0;  ///< of the picture of one core that is shown
+    size_t awaited_ = 0;          ///< the core whose pixels answer it
     bool is_answered_ = false;
     bool is_stale_ = false;  ///< what is shown is to be made anew
     std::string kernel_error_;

@@ -429,6 +429,23 @@ class StoryTest(Person):
             self.recording.write(RECORD)
 
 
+class HandTest(Person):
+    def test_a_hand_that_asks_for_more_views_than_are_drawn_sees_those_that_are(self):
+        self.open_window("--core", "source,target", "--spp", 8, size="640x360")
+        self.wait_for("pixels")
+        path = ["mousemove", 300, 260, "mousedown", 1]
+        for i in range(50 * PATIENCE):
+            path += ["mousemove", 330 + 2 * (i % 60), 260, "sleep", 0.012]
+        hand = subprocess.Popen(["xdotool", *map(str, path)], env={**os.environ, "DISPLAY": self.screen.display})
+        self.addCleanup(lambda: (hand.kill(), hand.wait()))
+        self.wait_for("input", lambda detail: detail["kind"] == "orbit")
+        self.wait_for("pixels")
+        self.assertIsNone(hand.poll(), "it has stopped before")
+        hand.kill()
+        self.xdotool("mouseup", 1)
+        self.leave()
+
+
 class SizesTest(Person):
     def test_pictures_and_windows_of_one_pixel_and_of_4k(self):
         for size in ("1x1", "3840x2160"):
