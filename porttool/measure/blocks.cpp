@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "porttool/read/glob.h"
@@ -30,31 +31,39 @@ public:
     void add(std::string text, size_t number) { texts_.emplace_back(std::move(text), number); }
     void sort() { std::sort(texts_.begin(), texts_.end()); }
 
-    /// The numbers of the texts that a pattern matches. A pattern without wildcards is looked up.
+    /// The numbers of the texts that a pattern matches. One without wildcards is looked up. Beyond kMostTries nothing
+    /// is tried any more.
     std::vector<size_t> matches(const Glob& glob) const {
         std::set<size_t> out;
-        for_range(glob.text(), [&](const std::string& text, size_t number) {
+        for (const auto& [text, number] : beginning_with(glob.text()))
             if (text == glob.text()) out.insert(number);
-        });
-        for (const std::string& root : glob.literal() ? std::vector{glob.text()} : glob.roots()) {
-            const std::string folder = root == "." ? "" : root;
-            for_range(folder, [&](const std::string& text, size_t number) {
-                ++tried_;
-                if (tried_ <= kMostTries && glob.matches(text)) out.insert(number);
-            });
-        }
+        const auto candidates = beginning_with(plain_start(glob.text()));
+        tried_ += candidates.size();
+        if (tried_ > kMostTries) return {};
+        for (const auto& [text, number] : candidates)
+            if (glob.matches(text)) out.insert(number);
         return {out.begin(), out.end()};
     }
 
 private:
-    template <class Visit>
-    void for_range(const std::string& start, const Visit& visit) const {
-        for (auto at = std::lower_bound(texts_.begin(), texts_.end(), std::pair(start, size_t{0}));
-             at != texts_.end() && at->first.starts_with(start); ++at)
-            visit(at->first, at->second);
+    /// How everything that a pattern matches begins.
+    static std::string plain_start(const std::string& pattern) {
+        const std::string start = pattern.substr(0, pattern.find_first_of("*?[{\\"));
+        return start.starts_with('.') || start.find("//") != std::string::npos || start.find("/.") != std::string::npos
+                   ? std::string()  // it is another one by its text
+                   : start;
     }
 
-    std::vector<std::pair<std::string, size_t>> texts_;
+    using Numbered = std::pair<std::string, size_t>;
+
+    std::span<const Numbered> beginning_with(const std::string& start) const {
+        const auto first = std::lower_bound(texts_.begin(), texts_.end(), Numbered(start, 0));
+        const auto end = std::partition_point(first, texts_.end(),
+                                              [&](const Numbered& one) { return one.first.starts_with(start); });
+        return {first, end};
+    }
+
+    std::vector<Numbered> texts_;
     size_t& tried_;
 };
 

@@ -71,23 +71,20 @@ public:
         const BySide<Passage> all = passages_of(everything, files);
         const size_t most_tokens =
             std::max(kMostBlockTokens, kMostTakenTimes * (tokens_of(all.source) + tokens_of(all.target)));
+        std::vector<BySide<Passage>> passages;
         size_t tokens = 0;
         for (const Block& block : blocks_) {
-            for (const Side side : kBothSides)
-                for (const auto& [file, names] : block.takes[side]) {
-                    const int number = static_cast<int>(out_.blocks.size());
-                    if (names.empty()) takers_[side][file].of_all.push_back(number);
-                    for (const std::string& name : names) takers_[side][file].of_unit[name].push_back(number);
-                }
-            const BySide<Passage> passages = passages_of(block, files);
-            tokens += tokens_of(passages.source) + tokens_of(passages.target);
+            note_takers(block, static_cast<int>(passages.size()));
+            passages.push_back(passages_of(block, files));
+            tokens += tokens_of(passages.back().source) + tokens_of(passages.back().target);
             if (tokens > most_tokens)
                 throw CannotDo(
                     "its blocks (of portmap.toml, or else pairs of files) take the same code again and again, more "
                     "than " +
                     std::to_string(most_tokens) + " tokens together\nLet each block take code of its own");
-            out_.blocks.push_back(measure_block(block, passages, dialect, facts.map.weights));
         }
+        for (size_t i = 0; i < blocks_.size(); ++i)
+            out_.blocks.push_back(measure_block(blocks_[i], passages[i], dialect, facts.map.weights));
         out_.totals = measure_block(everything, all, dialect, facts.map.weights);
     }
 
@@ -104,6 +101,14 @@ public:
     }
 
 private:
+    void note_takers(const Block& block, int number) {
+        for (const Side side : kBothSides)
+            for (const auto& [file, names] : block.takes[side]) {
+                if (names.empty()) takers_[side][file].of_all.push_back(number);
+                for (const std::string& name : names) takers_[side][file].of_unit[name].push_back(number);
+            }
+    }
+
     std::vector<int> blocks_with(Side side, const Excerpt& excerpt) const {
         std::vector<int> blocks;
         const auto takers = takers_[side].find(excerpt.file->path);

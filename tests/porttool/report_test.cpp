@@ -229,6 +229,48 @@ TEST(Report, ABlockThatMatchesNothingIsNamed) {
     EXPECT_NE(report(disk, {}).err.find("there are two of this name"), std::string::npos);
 }
 
+TEST(Report, ManyBlocksAreLookedUpAndNotTried) {
+    constexpr size_t kMany = 3000;  // 9,000,000 pairs of a block and a function
+    std::string text;
+    for (size_t i = 0; i < kMany; ++i) text += "int f" + std::to_string(i) + "(int x) {\n    return x + 1;\n}\n";
+    const auto report_of = [&](const std::function<std::string(size_t)>& pattern) {
+        std::string map = "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n";
+        for (size_t i = 0; i < kMany; ++i)
+            map += "[[block]]\nname = \"b" + std::to_string(i) + "\"\nsource = [\"s/" + pattern(i) +
+                   "\"]\ntarget = [\"t/" + pattern(i) + "\"]\n";
+        MemoryDisk disk;
+        disk.files = {{"/r/s/a.cpp", text}, {"/r/t/a.cpp", text}, {"/r/portmap.toml", map}};
+        return run(disk, {"-C", "/r", "report", "--format", "json"});
+    };
+    const CommandRun own = report_of([](size_t i) { return "a.cpp:f" + std::to_string(i); });
+    ASSERT_EQ(own.exit_code, 0) << own.err;
+    const json blocks = json::parse(own.out)["blocks"];
+    ASSERT_EQ(blocks.size(), kMany);
+    for (const json& block : blocks) EXPECT_EQ(block["source_lines"], 3) << block["name"];
+    const CommandRun more = report_of([](size_t i) { return "a.cpp:f" + std::to_string(i) + "*"; });
+    ASSERT_EQ(more.exit_code, 0) << more.err;
+    EXPECT_EQ(json::parse(more.out)["blocks"][299]["source_lines"], 3 * 11) << "f299 and f2990 to f2999";
+    const CommandRun again = report_of([](size_t) { return std::string("a.cpp"); });
+    EXPECT_EQ(again.exit_code, 2);
+    EXPECT_NE(again.err.find("take the same code again and again"), std::string::npos) << again.err;
+}
+
+TEST(Report, AThousandEditedFunctionsInOneLineArePutSideBySideOnce) {
+    constexpr int kFunctions = 1000;  // each with the words of all took 13 s and more
+    const auto text = [&](int more) {
+        std::string out;
+        for (int i = 0; i < kFunctions; ++i)
+            out += "int f" + std::to_string(i) + "(int x) { return x * 3 + " + std::to_string(i + more) + "; } ";
+        return out + "\n";
+    };
+    MemoryDisk disk;
+    disk.files = {{"/r/s/a.cpp", text(0)}, {"/r/t/a.cpp", text(0)}};
+    run(disk, {"-C", "/r", "init", "--source", "s/*", "--target", "t/*"});
+    disk.files["/r/s/a.cpp"] = text(1);
+    const CommandRun got = run(disk, {"-C", "/r", "report", "--format", "html"});
+    EXPECT_EQ(got.exit_code, 0) << got.err;
+}
+
 TEST(Report, ABarThatIsNotMetIsExitCodeOne) {
     MemoryDisk disk = labelled();
     EXPECT_EQ(report(disk, {"--fail-under", "Shade, \"core\"=100", "--fail-under", "All=0"}).exit_code, 0);
