@@ -44,9 +44,9 @@ std::string program_text(const std::vector<const ProgramPart*>& parts) {
         headers.insert(part->headers.begin(), part->headers.end());
         headers.merge(unsaid_headers(part->text));
     }
-    std::string out;
+    // First what is porttool's: a header may make a macro of any word, as <complex.h> does of I.
+    std::string out = "#include \"vectors.h\"\n#include \"harness.h\"\n";
     for (const std::string& header : headers) out += "#include " + header + "\n";
-    out += "#include \"vectors.h\"\n#include \"harness.h\"\n";
     for (const ProgramPart* part : parts) out += part->text;
     out += "#line 1 \"main\"\nconst porttool_harness::Subject porttool_subjects[] = {\n";
     for (const ProgramPart* part : parts)

@@ -8,6 +8,7 @@
 #include "porttool/difftest/argument_list.h"
 #include "porttool/difftest/prelude.h"
 #include "porttool/normal/unit_state.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
@@ -36,11 +37,8 @@ bool is_about_streams(const ScannedFile& file, const Unit& unit) {
 std::set<std::string, std::less<>> macro_parameters(const Definition& macro) {
     const LexedText& lexed = macro.file->lexed;
     std::set<std::string, std::less<>> out;
+    if (!takes_arguments(macro)) return out;
     uint32_t i = macro.tokens.first + 3;  // # define NAME
-    const auto is_glued = [&] {
-        return lexed.tokens[i - 1].offset + lexed.tokens[i - 1].length == lexed.tokens[i].offset;
-    };
-    if (i >= macro.tokens.end || lexed.view(i) != "(" || !is_glued()) return out;
     for (++i; i < macro.tokens.end && lexed.view(i) != ")"; ++i) out.insert(std::string(lexed.view(i)));
     return out;
 }
@@ -55,18 +53,33 @@ bool is_field(const LexedText& lexed, uint32_t i, uint32_t end, int depth) {
            (next == ";" || next == "," || next == "[" || next == "=" || next == ":");
 }
 
+/// True for a function's name and the scopes that stand before it.
+bool is_of_name(const Unit& function, uint32_t i) {
+    return i == function.name_token || (i > function.name_token && i + 1 < function.parameters.first);
+}
+
+/// True for a word behind which, if it is a class, an object is made: `C x`, `C(x)`, `C{x}`; not of `C* x` or `C& x`.
+bool makes_object(const LexedText& lexed, uint32_t i, uint32_t end) {
+    if (i + 1 >= end) return false;
+    const std::string_view next = lexed.view(i + 1);
+    return lexed.tokens[i + 1].kind == TokenKind::Identifier || next == "(" || next == "{" || next == "<";
+}
+
 class Collector {
 public:
+    /// `members`: names that something asks an object for; `made`: classes of which objects are made.
     Collector(const Definitions& definitions, const Supplied& supplied,
-              const std::set<std::string, std::less<>>& members, const ScannedFile& root)
+              const std::set<std::string, std::less<>>& members, const std::set<std::string, std::less<>>& made,
+              const ScannedFile& root)
         : definitions_(definitions),
           supplied_(supplied),
           members_(members),
+          made_(made),
           root_(root),
           has_vectors_(has_vector_types(root.language)) {}
 
     Closure out;
-    std::set<std::string, std::less<>> seen_members;
+    std::set<std::string, std::less<>> seen_members, seen_made;
 
     /// Brings what a definition names, then the definition itself.
     void bring(const Definition& one) {
@@ -78,6 +91,7 @@ public:
         }
         if (one.kind == Definition::Kind::Variable) return bring_variable(one);
         ++open_;
+
         Piece piece{&one, {}, {}};
         if (one.kind == Definition::Kind::Struct) piece.left_out = unneeded(one);
         follow(one, piece.left_out, &piece.words);
@@ -85,8 +99,7 @@ public:
         out.pieces.push_back(std::move(piece));
         if (one.kind == Definition::Kind::Struct) {
             for (const Definition* member : definitions_.members(one.name))
-                if (!is_inside(*member, one) && (members_.contains(member->name) || member->name == one.name))
-                    bring(*member);
+                if (!is_inside(*member, one)) bring_member(*member, one);
             bring_operators(one.name);
         }
     }
@@ -112,6 +125,23 @@ public:
     }
 
 private:
+    /// A member that stands outside of its class, where it is named. A constructor or an operator may be used without
+    /// being named, and need not be: one that cannot be brought along is missing where it is used.
+    void bring_member(const Definition& member, const Definition& owner) {
+        if (members_.contains(member.name)) return bring(member);
+        const bool constructs = member.name == owner.name && made_.contains(owner.name);
+        if (!constructs && !is_kept_operator(member)) return;
+        const auto pieces = static_cast<std::ptrdiff_t>(out.pieces.size());
+        const std::map<const Definition*, bool> state = state_;
+        const std::set<std::string, std::less<>> vectors = vectors_;
+        bring(member);
+        if (out.missing.empty()) return;
+        out.missing.clear();
+        out.pieces.erase(out.pieces.begin() + pieces, out.pieces.end());
+        state_ = state;
+        vectors_ = vectors;
+    }
+
     void bring_variable(const Definition& one) {
         if (!supplied_.variables.contains(one.name)) {
             out.missing = "binding " + one.name;
@@ -127,9 +157,32 @@ private:
             if (!is_about_streams(*one->file, *one->unit)) bring(*one);
     }
 
+    /// An operator that a class declares stays in it, and needs its text.
+    static bool is_kept_operator(const Definition& member) {
+        return member.name.starts_with("operator") && member.unit != nullptr &&
+               !is_about_streams(*member.file, *member.unit);
+    }
+
     static bool is_inside(const Definition& member, const Definition& owner) {
         return member.file == owner.file && member.tokens.first >= owner.tokens.first &&
                member.tokens.end <= owner.tokens.end;
+    }
+
+    /// What a class only declares of how its objects begin and end, and with it the types that this takes.
+    static void leave_out_constructors(const Definition& one, std::vector<TokenRange>& left_out) {
+        const LexedText& lexed = one.file->lexed;
+        int depth = 0;
+        for (uint32_t i = one.tokens.first; i + 1 < one.tokens.end; ++i) {
+            if (lexed.view(i) == "{") ++depth;
+            if (lexed.view(i) == "}") --depth;
+            if (depth != 1 || lexed.view(i) != one.name || lexed.view(i + 1) != "(") continue;
+            uint32_t first = i;
+            while (is_one_of(lexed.view(first - 1), {"~", "explicit", "virtual", "constexpr", "inline"})) --first;
+            if (!is_one_of(lexed.view(first - 1), {"{", "}", ";", ":"})) continue;
+            uint32_t end = i;
+            while (end < one.tokens.end && lexed.view(end) != ";" && lexed.view(end) != "{") ++end;
+            if (end < one.tokens.end && lexed.view(end) == ";") left_out.push_back({first, end + 1});
+        }
     }
 
     std::vector<TokenRange> unneeded(const Definition& one) const {
@@ -142,12 +195,13 @@ private:
                 const size_t at = name.rfind("::");
                 return at == std::string::npos ? name : name.substr(at + 2);
             }();
-            const bool constructs = leaf == one.name;
+            const bool constructs = leaf == one.name && made_.contains(one.name);
             const bool is_operator = leaf.starts_with("operator");
             if (((constructs || is_operator) && !is_about_streams(*one.file, unit)) || members_.contains(leaf))
                 continue;
             left_out.push_back({unit.tokens.first, end_of_function(one.file->lexed, unit)});
         }
+        if (!made_.contains(one.name)) leave_out_constructors(one, left_out);
         std::sort(left_out.begin(), left_out.end(), [](TokenRange a, TokenRange b) { return a.first < b.first; });
         return left_out;
     }
@@ -156,7 +210,7 @@ private:
                   const std::set<std::string, std::less<>>& locals, std::set<std::string, std::less<>>* words) {
         const LexedText& lexed = one.file->lexed;
         auto hole = left_out.begin();
-        int depth = 0;
+        int depth = 0, braces = 0;
         for (uint32_t i = range.first; i < range.end && out.missing.empty(); ++i) {
             while (hole != left_out.end() && hole->end <= i) ++hole;
             if (hole != left_out.end() && hole->first <= i) {
@@ -166,13 +220,22 @@ private:
             const Token& token = lexed.tokens[i];
             if (lexed.view(token) == "(") ++depth;
             if (lexed.view(token) == ")") --depth;
+            if (lexed.view(token) == "{") ++braces;
+            if (lexed.view(token) == "}") --braces;
             if (token.kind != TokenKind::Identifier || (token.flags & kDead) != 0) continue;
             const std::string_view word = lexed.view(token);
             if (words != nullptr) words->insert(std::string(word));
-            if (one.kind == Definition::Kind::Function && one.unit != nullptr && i == one.unit->name_token) continue;
+            if ((one.kind != Definition::Kind::Struct || braces > 1) && makes_object(lexed, i, range.end))
+                seen_made.insert(std::string(word));
+            if (one.kind == Definition::Kind::Function && one.unit != nullptr && is_of_name(*one.unit, i)) continue;
             if (is_member_access(lexed, i) || (i > 0 && lexed.view(i - 1) == "::"))
                 seen_members.insert(std::string(word));
-            if (is_member_access(lexed, i) || locals.contains(word) || word == "defined") continue;
+            // A class calls what is its own by the bare name.
+            if ((one.kind == Definition::Kind::Struct ? braces > 1 : !one.owner.empty()) && i + 1 < range.end &&
+                lexed.view(i + 1) == "(")
+                seen_members.insert(std::string(word));
+            if (is_member_access(lexed, i) || locals.contains(word) || word == "defined" || word == "operator")
+                continue;
             if (one.kind == Definition::Kind::Struct && is_field(lexed, i, range.end, depth)) continue;
             if (is_vector_type(word)) {
                 // Languages that have vectors themselves let nobody define them, or their operators.
@@ -189,6 +252,7 @@ private:
     const Definitions& definitions_;
     const Supplied& supplied_;
     const std::set<std::string, std::less<>>& members_;
+    const std::set<std::string, std::less<>>& made_;
     const ScannedFile& root_;
     const bool has_vectors_;
     std::set<std::string, std::less<>> vectors_;  ///< built-in types whose operators were looked for
@@ -199,13 +263,14 @@ private:
 }  // namespace
 
 Closure closure_of(const Definition& function, const Definitions& definitions, const Supplied& supplied) {
-    std::set<std::string, std::less<>> members;
+    std::set<std::string, std::less<>> members, made;
     for (int round = 0;; ++round) {
-        Collector collector(definitions, supplied, members, *function.file);
+        Collector collector(definitions, supplied, members, made, *function.file);
         collector.follow(function, {}, &collector.out.words);
-        const size_t known = members.size();
+        const size_t known = members.size() + made.size();
         members.insert(collector.seen_members.begin(), collector.seen_members.end());
-        if (members.size() != known && round != kMostRounds && collector.out.missing.empty()) continue;
+        made.insert(collector.seen_made.begin(), collector.seen_made.end());
+        if (members.size() + made.size() != known && round != kMostRounds && collector.out.missing.empty()) continue;
         std::vector<const ScannedFile*> files;
         for (const Piece& piece : collector.out.pieces) files.push_back(piece.definition->file);
         files.push_back(function.file);

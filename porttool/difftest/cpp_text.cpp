@@ -75,6 +75,16 @@ std::string widened(std::string_view word) {
     return {};
 }
 
+/// Where a function goes on behind its parameters: of a member without `const`, `override` and their like, which stand
+/// before its body or `-> R`.
+uint32_t behind_qualifiers(const Definition& function) {
+    const Unit& unit = *function.unit;
+    uint32_t at = unit.parameters.end + 1;
+    if (function.owner.empty()) return at;
+    while (at + 1 < unit.body.first && function.file->lexed.view(at) != "->") ++at;
+    return at;
+}
+
 class Writer {
 public:
     Writer(const ScannedFile& file, const CppManner& manner)
@@ -208,6 +218,8 @@ private:
         if (next == "::" && manner_.namespaces != nullptr &&
             (manner_.namespaces->contains(word) || is_one_of(word, {"sycl", "cl", "metal"})))
             return leave_out(i + 2);
+        // Of a member that runs as a function of its own.
+        if (word == "virtual" && !manner_.rename.empty()) return leave_out(i + 1);
         if (word == "using" && next == "namespace") {
             while (i < end && view(i) != ";") ++i;
             return leave_out(i + 1);
@@ -313,7 +325,8 @@ std::string cpp_text(const Piece& piece, const CppManner& manner) {
         writer.out += "(";
         writer.parameters(unit.parameters);
         const uint32_t rest = manner.body ? unit.body.first - 1 : one.tokens.end;
-        writer.tokens({unit.parameters.end, rest}, piece.left_out);
+        writer.tokens({unit.parameters.end, renames ? unit.parameters.end + 1 : rest}, piece.left_out);
+        if (renames) writer.tokens({behind_qualifiers(one), rest}, piece.left_out);
         if (manner.body) writer.out += " " + *manner.body;
     } else {
         writer.tokens(one.tokens, piece.left_out);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "porttool/difftest/prelude.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/scan/scan.h"
@@ -33,15 +34,29 @@ bool is_guard(const ScannedFile& file, size_t i) {
 
 /// For each directive, those that decide about what follows it: of every open group the `#if` and what came after.
 class Conditions {
+    using Groups = std::vector<std::vector<uint32_t>>;  ///< of a header's guard an empty one
+
 public:
     explicit Conditions(const ScannedFile& file) : file_(file) {
-        std::vector<std::vector<uint32_t>> open;
+        Groups open;
         const std::vector<Directive>& all = file.lexed.directives;
+        std::vector<uint32_t> met;  // the `#ifndef NAME` that a `#define NAME` has met
         for (uint32_t i = 0; i < all.size(); ++i) {
             if (all[i].kind == DirectiveKind::If) open.push_back({});
             const bool about = all[i].kind == DirectiveKind::If || all[i].kind == DirectiveKind::Elif ||
                                all[i].kind == DirectiveKind::Else;
-            if (about && !open.empty() && !is_guard(file, i)) open.back().push_back(i);
+            if (about && !open.empty() && !is_guard(file, i)) {
+                if (all[i].kind != DirectiveKind::If && open.back().empty() && !met.empty())
+                    open.back().push_back(met.back());
+                open.back().push_back(i);
+            }
+            if (all[i].kind == DirectiveKind::Define && !open.empty() && open.back().size() == 1 &&
+                asks_whether_not(open.back().front(), macro_name(file.lexed, all[i]))) {
+                // What follows goes with it.
+                met.push_back(open.back().front());
+                open.back().clear();
+                after_.emplace_back(all[i].end_token, open);
+            }
             if (all[i].kind == DirectiveKind::Endif && !open.empty()) open.pop_back();
             if (about || all[i].kind == DirectiveKind::Endif) after_.emplace_back(all[i].first_token, open);
         }
@@ -55,7 +70,11 @@ public:
     }
 
 private:
-    using Groups = std::vector<std::vector<uint32_t>>;  ///< of a header's guard an empty one
+    bool asks_whether_not(uint32_t directive, std::string_view name) const {
+        const Directive& one = file_.lexed.directives[directive];
+        return one.kind == DirectiveKind::If && one.end_token == one.first_token + 3 &&
+               file_.lexed.view(one.first_token + 1) == "ifndef" && file_.lexed.view(one.first_token + 2) == name;
+    }
 
     Groups open_at(uint32_t token) const {
         const auto after = std::upper_bound(after_.begin(), after_.end(), token,
@@ -81,6 +100,10 @@ uint32_t before_brackets(const LexedText& lexed, uint32_t first, uint32_t close)
 /// The name that a `typedef` or a `using NAME = ...;` gives; "" for others: of a function's type `R NAME(...)`, of a
 /// pointer to one `R (CALL* NAME)(...)`, else what stands last beside attributes and bounds.
 std::string_view type_name(const LexedText& lexed, TokenRange statement) {
+    // using std::swap; what the prelude has is written as it is
+    if (statement.end == statement.first + 5 && lexed.view(statement.first) == "using" &&
+        lexed.view(statement.first + 1) == "std" && !prelude_names().contains(lexed.view(statement.first + 3)))
+        return lexed.view(statement.first + 3);
     if (lexed.view(statement.first) == "using")
         return statement.end > statement.first + 3 && lexed.view(statement.first + 2) == "="
                    ? lexed.view(statement.first + 1)
@@ -212,6 +235,17 @@ private:
         pieces_.push_back(std::move(one));
     }
 
+    /// The name of a struct: of `typedef struct ALIGNED {...} a;` that of the type, for its tag may be a macro that
+    /// says how it lies in memory.
+    std::string_view struct_name(const Unit& unit, TokenRange tokens) const {
+        const std::string_view tag = bare_leaf_of(unit.name);
+        if (tokens.end < tokens.first + 5 || lexed_.view(tokens.first) != "typedef") return tag;
+        const uint32_t name = tokens.end - 2;
+        const bool plain = lexed_.view(tokens.end - 1) == ";" && lexed_.view(name - 1) == "}" &&
+                           lexed_.tokens[name].kind == TokenKind::Identifier;
+        return plain ? lexed_.view(name) : tag;
+    }
+
     void cut_units() {
         for (const Unit& unit : file_.units) {
             if (unit.kind == UnitKind::File) continue;
@@ -224,7 +258,8 @@ private:
             const std::string_view rest = whole.substr(std::min<size_t>(unit.namespace_length, whole.size()));
             const size_t last = rest.rfind("::");
             const bool is_member = last != std::string_view::npos;
-            add(kind, &unit, tokens, bare_leaf_of(unit.name),
+            add(kind, &unit, tokens,
+                kind == Definition::Kind::Struct ? struct_name(unit, tokens) : bare_leaf_of(unit.name),
                 is_member ? bare_leaf_of(rest.substr(0, last)) : std::string_view());
         }
     }
@@ -289,6 +324,13 @@ private:
 
 bool is_fixed_word(std::string_view word) { return word == "const" || word_is(word, kTypePart | kQualifier); }
 
+bool takes_arguments(const Definition& macro) {
+    const LexedText& lexed = macro.file->lexed;
+    const uint32_t i = macro.tokens.first + 3;  // # define NAME
+    return i < macro.tokens.end && lexed.view(i) == "(" &&
+           lexed.tokens[i - 1].offset + lexed.tokens[i - 1].length == lexed.tokens[i].offset;
+}
+
 uint32_t end_of_function(const LexedText& lexed, const Unit& unit) {
     const auto count = static_cast<uint32_t>(lexed.tokens.size());
     int depth = 0, rounds = 0;
@@ -343,6 +385,8 @@ std::vector<std::string> further_names(const Definition& one) {
         const bool starts = i > open && (lexed.view(i - 1) == "{" || lexed.view(i - 1) == ",");
         if (is_enum && depth == 1 && starts && lexed.tokens[i].kind == TokenKind::Identifier) out.emplace_back(word);
     }
+    if (is_typedef && one.kind == Definition::Kind::Struct && one.unit != nullptr)
+        out.emplace_back(bare_leaf_of(one.unit->name));
     if (is_typedef)
         for (++i; i < one.tokens.end && lexed.view(i) != ";"; ++i)
             if (lexed.tokens[i].kind == TokenKind::Identifier) out.emplace_back(lexed.view(i));

@@ -27,6 +27,9 @@ struct Definition {
 /// The one word that a variable's type is; "" where it is more, as an array or a pointer.
 std::string_view type_of_variable(const Definition& variable);
 
+/// True for a macro that is none without arguments in parentheses.
+bool takes_arguments(const Definition& macro);
+
 /// Where a function ends: after the brace that closes its body.
 uint32_t end_of_function(const LexedText& lexed, const Unit& unit);
 

@@ -56,6 +56,14 @@ bool is_known(const std::vector<const Definition*>& found, const Definition& one
 /// True for languages one of which may use what the other defines: a header of C++ and a source of CUDA.
 bool are_related(Language a, Language b) { return a == b || (!has_vector_types(a) && !has_vector_types(b)); }
 
+/// True for a header that is read by files of another language, whichever includes it: what a host hands to its
+/// kernels need not be included by any.
+bool is_shared_header(const ScannedFile& file) {
+    const bool shared =
+        file.language == Language::C || file.language == Language::Cpp || file.language == Language::Unknown;
+    return shared && (file.path.ends_with(".h") || file.path.ends_with(".hpp"));
+}
+
 /// True where what was found may stand beside others: overloads, or macros of a condition that may not hold.
 bool goes_on(const std::vector<const Definition*>& found) {
     return std::all_of(found.begin(), found.end(), [](const Definition* one) {
@@ -215,6 +223,14 @@ std::vector<const ScannedFile*> Definitions::all_reached(const ScannedFile& from
     return out;
 }
 
+bool Definitions::is_macro_as_tag(const Definition& one, std::string_view name) const {
+    if (one.kind != Definition::Kind::Struct || one.name == name) return false;
+    const auto all = everywhere_.find(name);
+    return all != everywhere_.end() && std::any_of(all->second.begin(), all->second.end(), [](const Definition* other) {
+               return other->kind == Definition::Kind::Macro;
+           });
+}
+
 const std::vector<const Definition*>& Definitions::find(const ScannedFile& from, std::string_view name) const {
     const auto [at, is_new] = found_.try_emplace({&from, std::string(name)});
     if (!is_new) return at->second;
@@ -225,7 +241,7 @@ const std::vector<const Definition*>& Definitions::find(const ScannedFile& from,
             // Overloads of one name stand in several files as well: math.h and color.h.
             if (at->second.empty() || goes_on(at->second))
                 for (const Definition* one : found->second)
-                    if (!is_known(at->second, *one)) at->second.push_back(one);
+                    if (!is_known(at->second, *one) && !is_macro_as_tag(*one, name)) at->second.push_back(one);
             if (!goes_on(at->second)) break;
         }
     }
@@ -235,14 +251,18 @@ const std::vector<const Definition*>& Definitions::find(const ScannedFile& from,
     const auto other = everywhere_.find(name);
     if (other == everywhere_.end()) return at->second;
     const std::string folder = folder_of(from.path);
-    const ScannedFile* best = nullptr;
+    const ScannedFile *best = nullptr, *header = nullptr;
     for (const Definition* one : other->second) {
         if (of_build_.contains(one->file)) continue;  // that of another folder
-        if (one->kind == Definition::Kind::Variable || !are_related(one->file->language, from.language)) continue;
+        if (one->kind == Definition::Kind::Variable || is_macro_as_tag(*one, name)) continue;
         if (only_conditional && one->kind == Definition::Kind::Macro) continue;
-        if (best == nullptr || (folder_of(one->file->path) == folder && folder_of(best->path) != folder))
-            best = one->file;
+        const bool related = are_related(one->file->language, from.language);
+        if (!related && !is_shared_header(*one->file)) continue;
+        const ScannedFile*& nearest = related ? best : header;
+        if (nearest == nullptr || (folder_of(one->file->path) == folder && folder_of(nearest->path) != folder))
+            nearest = one->file;
     }
+    if (best == nullptr) best = header;
     for (const Definition* one : other->second)
         if (one->file == best && !(only_conditional && one->kind == Definition::Kind::Macro)) at->second.push_back(one);
     return at->second;

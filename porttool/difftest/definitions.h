@@ -90,6 +90,8 @@ private:
     const ScannedFile* build_text(const ScannedFile& from) const;
     /// What the file sees of texts that no file includes, behind `order`.
     std::vector<const ScannedFile*> all_reached(const ScannedFile& from) const;
+    /// True for `typedef struct ALIGNED {...} NAME;` asked for as ALIGNED where that is a macro.
+    bool is_macro_as_tag(const Definition& one, std::string_view name) const;
     const ScannedFile* included(const ScannedFile& from, std::string_view what) const;
 
     const std::string& root_;

@@ -10,11 +10,13 @@
 #include <set>
 #include <utility>
 
+#include "porttool/difftest/assumed_macros.h"
 #include "porttool/difftest/bounded_process.h"
 #include "porttool/difftest/build.h"
 #include "porttool/difftest/interrupt.h"
 #include "porttool/difftest/lift.h"
 #include "porttool/difftest/pair_outcome.h"
+#include "porttool/difftest/side_text.h"
 #include "porttool/difftest/stand_ins.h"
 #include "porttool/difftest/subject.h"
 #include "porttool/difftest/subject_text.h"
@@ -177,10 +179,16 @@ private:
             pairs[i].reason = "the sides read bindings by different helpers";
     }
 
-    /// Where one side does not tell how long an array is, the other's is as long.
+    /// Where one side does not tell how long an array is, the other's is as long; what the other takes by reference is
+    /// one value.
     static void guess_alike(PairWork& work) {
         auto &ours = work.subject.source.parameters, &theirs = work.subject.target.parameters;
         for (size_t i = 0; i < std::min(ours.size(), theirs.size()); ++i) {
+            for (const auto& [one, other] : {std::pair(&ours[i], &theirs[i]), std::pair(&theirs[i], &ours[i])})
+                if (one->is_pointer && one->is_guess && !other->is_pointer && other->is_reference) {
+                    one->is_guess = false;
+                    one->elements = 1;
+                }
             if (!ours[i].is_pointer || !theirs[i].is_pointer || (!ours[i].is_guess && !theirs[i].is_guess)) continue;
             for (SubjectParameter* one : {&ours[i], &theirs[i]}) {
                 one->is_guess = true;
@@ -197,20 +205,42 @@ private:
         return {};
     }
 
-    void build() {
-        BySide<std::vector<ProgramPart>> parts;
+    ProgramPart part_of(size_t i, Side side, bool widens) const {
+        const Subject& subject = work_[i].subject[side];
+        return {number_of(i, side),
+                subject_text(subject, number_of(i, side), definitions(side), stand_ins_[side], widens),
+                definitions(side).standard_headers(*work_[i].unit[side]->file, subject.closure.pieces)};
+    }
+
+    BuiltParts build_side(Side side) {
+        std::vector<ProgramPart> parts;
         for (size_t i = 0; i < pairs.size(); ++i)
-            if (pairs[i].reason.empty())
-                for (const Side side : kBothSides)
-                    parts[side].push_back(
-                        {number_of(i, side),
-                         subject_text(work_[i].subject[side], number_of(i, side), definitions(side), stand_ins_[side]),
-                         definitions(side).standard_headers(*work_[i].unit[side]->file,
-                                                            work_[i].subject[side].closure.pieces)});
+            if (pairs[i].reason.empty()) parts.push_back(part_of(i, side, false));
+        BuiltParts built = build_parts(parts, workshop_, side == Side::Source ? "source" : "target");
+        // Once more what misses something that only stands under a macro that nobody defines.
+        parts.clear();
+        for (size_t i = 0; i < pairs.size(); ++i) {
+            const auto refused = built.refused.find(number_of(i, side));
+            constexpr std::string_view kUnknown = "unknown helper ";
+            if (refused == built.refused.end() || !refused->second.starts_with(kUnknown)) continue;
+            Subject& subject = work_[i].subject[side];
+            const size_t known = subject.assumed.size();
+            subject.assumed.merge(
+                assumed_for(refused->second.substr(kUnknown.size()), subject.closure, definitions(side)));
+            if (subject.assumed.size() != known) parts.push_back(part_of(i, side, false));
+        }
+        BuiltParts again = build_parts(parts, workshop_, side == Side::Source ? "source_again" : "target_again");
+        for (const auto& [number, program] : again.programs) built.refused.erase(number);
+        built.programs.merge(again.programs);
+        for (auto& [number, why] : again.refused) built.refused[number] = std::move(why);
+        return built;
+    }
+
+    void build() {
         BySide<BuiltParts> built;
         in_parallel(2, true, [&](size_t which) {
             const Side side = kBothSides.at(which);
-            built[side] = build_parts(parts[side], workshop_, side == Side::Source ? "source" : "target");
+            built[side] = build_side(side);
         });
         std::map<std::string, std::map<int, Leaves>> listed;
         for (size_t i = 0; i < pairs.size(); ++i)
@@ -220,6 +250,10 @@ private:
                 const auto refused = built[side].refused.find(number);
                 if (refused != built[side].refused.end()) {
                     pairs[i].reason = std::string(side == Side::Source ? "source: " : "target: ") + refused->second;
+                    // What nobody else knows is its object's.
+                    if (const std::string& owner = work_[i].unit[side]->owner;
+                        !owner.empty() && refused->second.starts_with("unknown helper"))
+                        pairs[i].reason = "a member function of " + owner;
                     break;
                 }
                 const std::string& program = built[side].programs[number];
@@ -252,12 +286,7 @@ private:
 
     void build_wide(Side side, const std::vector<size_t>& which) {
         std::vector<ProgramPart> parts;
-        for (const size_t i : which)
-            parts.push_back(
-                {number_of(i, side),
-                 subject_text(work_[i].subject[side], number_of(i, side), definitions(side), stand_ins_[side], true),
-                 definitions(side).standard_headers(*work_[i].unit[side]->file,
-                                                    work_[i].subject[side].closure.pieces)});
+        for (const size_t i : which) parts.push_back(part_of(i, side, true));
         const BuiltParts built = build_parts(parts, workshop_, side == Side::Source ? "wide_source" : "wide_target");
         std::map<std::string, std::map<int, Leaves>> listed;
         for (const size_t i : which) {
@@ -286,14 +315,21 @@ private:
         PairWork& work = work_[i];
         LeafMatch match = match_leaves(work.built.source.leaves, work.built.target.leaves);
         const std::string why_not = match.reason;
-        if (!why_not.empty() && lift(work)) match = match_leaves(work.built.source.leaves, work.built.target.leaves);
+        if (!why_not.empty()) {
+            LeafMatch used = match_used_leaves(work.built.source.leaves, work.built.target.leaves,
+                                               {text_of_side(work.subject.source), text_of_side(work.subject.target)});
+            if (used.reason.empty()) match = std::move(used);
+        }
+        if (!match.reason.empty() && lift(work))
+            match = match_leaves(work.built.source.leaves, work.built.target.leaves);
         pair.reason = match.reason;
         if (!pair.reason.empty()) return;
         Trial trial(work.built.source, work.built.target, match, {settings_.ulps}, workshop_.folder, memory,
                     {work.wide.source.program.empty() ? nullptr : &work.wide.source,
                      work.wide.target.program.empty() ? nullptr : &work.wide.target});
         constexpr size_t kMostSlots = 16'000'000;
-        const size_t width = std::max<size_t>(1, trial.inputs().size());
+        const size_t width =
+            std::max({size_t{1}, work.built.source.leaves.in.size(), work.built.target.leaves.in.size()});
         const size_t records = std::max<size_t>(1, std::min(settings_.inputs, kMostSlots / width));
         const std::vector<double> constants = constants_in(work.subject.source, work.subject.target);
         const std::string array = guessed(work);
@@ -306,9 +342,12 @@ private:
             pair.reason = trial.run(table);
         }
         if (!pair.reason.empty()) return;
-        const size_t differing = tell_outcome(pair, trial, table, work.built.source.leaves.out, settings_.ulps);
+        const size_t differing = tell_outcome(pair, trial, table, settings_.ulps);
         if (pair.state != DifftestState::NotRun && pair.reason.empty() && !work.subject.source.stood_in.empty())
             pair.reason = "with one answer on both sides for what reads bindings";
+        tell_assumed(pair, work.subject);
+        if (!match.zeroed.empty() && pair.state != DifftestState::NotRun)
+            pair.reason = "with " + match.zeroed + " at 0" + (pair.reason.empty() ? "" : "; " + pair.reason);
         if (!array.empty()) tell_guess(pair, array, records);
         if (work.built.source.calls.empty() && work.built.target.calls.empty()) return;
         // That one does to components what the other does to numbers was a guess.
@@ -326,6 +365,17 @@ private:
             return true;
         }
         return false;
+    }
+
+    /// Macros that no text defines and that a function stands under.
+    static void tell_assumed(DifftestPair& pair, const BySide<Subject>& subject) {
+        if (pair.state == DifftestState::NotRun) return;
+        std::map<std::string, std::string> all = subject.source.assumed;
+        all.insert(subject.target.assumed.begin(), subject.target.assumed.end());
+        std::string names;
+        for (const auto& [name, value] : all) names += (names.empty() ? "" : ", ") + name;
+        if (!names.empty())
+            pair.reason = "with " + names + " defined" + (pair.reason.empty() ? "" : "; " + pair.reason);
     }
 
     /// Where nearly no input stays within the arrays, nothing was tested.

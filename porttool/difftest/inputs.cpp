@@ -197,9 +197,10 @@ private:
 }  // namespace
 
 std::vector<Leaf> common_inputs(const Leaves& source, const Leaves& target, const LeafMatch& match) {
-    std::vector<Leaf> out = source.in;
+    std::vector<Leaf> out;
+    for (const BySide<size_t>& place : match.in) out.push_back(source.in[place.source]);
     for (size_t i = 0; i < out.size(); ++i) {
-        const Leaf& other = target.in[match.in[i]];
+        const Leaf& other = target.in[match.in[i].target];
         if (out[i].is_real() ? static_cast<int>(other.kind == NumberKind::Double) <
                                        static_cast<int>(out[i].kind == NumberKind::Double) ||
                                    other.kind == NumberKind::Half

@@ -62,7 +62,7 @@ bool fit(const Leaf& a, const Leaf& b) { return a.is_real() == b.is_real(); }
 
 /// Pairs the numbers of one parameter with those of its counterpart: by their names, else by their order.
 bool match_parameter(const std::vector<Leaf>& source, const std::vector<size_t>& ours, const std::vector<Leaf>& target,
-                     const std::vector<size_t>& theirs, std::vector<size_t>& out) {
+                     const std::vector<size_t>& theirs, std::vector<BySide<size_t>>& out) {
     if (ours.size() != theirs.size()) return false;
     std::map<std::string_view, size_t> names;
     for (const size_t at : theirs) names.emplace(beneath_parameter(target[at]), at);
@@ -72,15 +72,15 @@ bool match_parameter(const std::vector<Leaf>& source, const std::vector<size_t>&
     for (size_t i = 0; i < ours.size(); ++i) {
         const size_t at = named ? names[beneath_parameter(source[ours[i]])] : theirs[i];
         if (!fit(source[ours[i]], target[at])) return false;
-        out[ours[i]] = at;
+        out[ours[i]] = {ours[i], at};
     }
     return true;
 }
 
 std::string parameters_text(size_t count) { return std::to_string(count) + (count == 1 ? " number" : " numbers"); }
 
-bool match_side(const std::vector<Leaf>& source, const std::vector<Leaf>& target, std::vector<size_t>& out) {
-    out.assign(source.size(), 0);
+bool match_side(const std::vector<Leaf>& source, const std::vector<Leaf>& target, std::vector<BySide<size_t>>& out) {
+    out.assign(source.size(), {});
     const auto ours = by_parameter(source), theirs = by_parameter(target);
     if (ours.size() == theirs.size()) {
         bool all = true;
@@ -95,8 +95,120 @@ bool match_side(const std::vector<Leaf>& source, const std::vector<Leaf>& target
     if (source.size() != target.size()) return false;
     for (size_t i = 0; i < source.size(); ++i) {
         if (!fit(source[i], target[i])) return false;
-        out[i] = i;
+        out[i] = {i, i};
     }
+    return true;
+}
+
+/// True for a number that nothing looks at: a part of its path is named nowhere.
+bool is_idle(const Leaf& leaf, const TextOfSide& text) {
+    const std::string_view path = beneath_parameter(leaf);
+    for (size_t at = 0; at < path.size();) {
+        const size_t end = std::min(path.find_first_of(".[", at + 1), path.size());
+        const std::string_view part = path.substr(at + 1, end - at - 1);
+        if (path[at] == '.' && part.size() > 1 && !text.words.contains(part)) return true;
+        at = end;
+    }
+    return false;
+}
+
+/// The places of each parameter's numbers that are looked at, and of those that are not.
+struct UsedPlaces {
+    std::map<int, std::vector<size_t>> used, idle;
+};
+UsedPlaces used_places(const std::vector<Leaf>& leaves, const TextOfSide& text, bool are_given) {
+    UsedPlaces out;
+    for (size_t i = 0; i < leaves.size(); ++i) {
+        if (are_given && text.unwritten.contains(leaves[i].parameter)) continue;
+        const bool idle = is_idle(leaves[i], text);
+        (idle ? out.idle : out.used)[leaves[i].parameter].push_back(i);
+    }
+    return out;
+}
+
+using NamedPlaces = std::map<std::string_view, size_t>;
+
+/// The places of what stands beneath a name and is a real number, or is none, in their order.
+std::vector<size_t> beneath(const NamedPlaces& all, const std::vector<Leaf>& leaves, std::string_view name,
+                            bool is_real) {
+    std::vector<size_t> out;
+    for (auto at = all.lower_bound(name); at != all.end() && at->first.starts_with(name); ++at)
+        if (leaves[at->second].is_real() == is_real && at->first.size() > name.size() && at->first[name.size()] == '.')
+            out.push_back(at->second);
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+/// Pairs what stands beneath the nearest name that both sides have by its order: `m.a.x` with `m.rows.a11`.
+bool match_by_order(const BySide<const std::vector<Leaf>*>& leaves, const BySide<NamedPlaces>& all, Side side,
+                    std::string_view name, std::set<size_t>& done, std::vector<BySide<size_t>>& out) {
+    const bool is_real = (*leaves[side])[all[side].at(name)].is_real();
+    for (size_t dot = name.rfind('.'); dot != std::string_view::npos && dot > 0; dot = name.rfind('.', dot - 1)) {
+        const std::string_view above = name.substr(0, dot);
+        const auto ours = beneath(all.source, *leaves.source, above, is_real);
+        const auto theirs = beneath(all.target, *leaves.target, above, is_real);
+        if ((side == Side::Source ? theirs : ours).empty()) continue;
+        if (ours.size() != theirs.size()) return false;
+        for (size_t i = 0; i < ours.size(); ++i)
+            if (done.insert(ours[i]).second) out.push_back({ours[i], theirs[i]});
+        return true;
+    }
+    return false;
+}
+
+/// True where something stands beneath the value that a field belongs to: `m.a` for `m.is_set`.
+bool has_beside(const NamedPlaces& all, std::string_view name) {
+    const size_t dot = name.rfind('.');
+    if (dot == std::string_view::npos || dot == 0) return false;
+    const auto at = all.lower_bound(name.substr(0, dot + 1));
+    return at != all.end() && at->first.starts_with(name.substr(0, dot + 1));
+}
+
+/// Pairs what both look at of one parameter by its names; what only one looks at must be there on the other side.
+bool match_used(const BySide<const std::vector<Leaf>*>& leaves, const BySide<UsedPlaces>& places,
+                const BySide<int>& parameter, std::vector<BySide<size_t>>& out, std::string& zeroed) {
+    BySide<NamedPlaces> all, used;
+    std::set<size_t> done;  // of the source's
+    for (const Side side : kBothSides)
+        for (const auto* some : {&places[side].used, &places[side].idle})
+            if (const auto found = some->find(parameter[side]); found != some->end())
+                for (const size_t at : found->second) {
+                    std::string_view name = beneath_parameter((*leaves[side])[at]);
+                    if (name.starts_with(".")) name.remove_prefix(1);  // what is returned has no name
+                    if (!all[side].emplace(name, at).second) return false;
+                    if (some == &places[side].used) used[side].emplace(name, at);
+                }
+    for (const Side side : kBothSides)
+        for (const auto& [name, at] : used[side]) {
+            const auto there = all[other(side)].find(name);
+            if (there == all[other(side)].end()) {
+                if (match_by_order(leaves, all, side, name, done, out)) continue;
+                // What one side notes of a value that both have, it has noted nothing of.
+                if ((*leaves[side])[at].kind != NumberKind::Bool || !has_beside(all[other(side)], name)) return false;
+                zeroed = (*leaves[side])[at].path;
+                continue;
+            }
+            if (!fit((*leaves[side])[at], (*leaves[other(side)])[there->second])) return false;
+            const BySide<size_t> both =
+                side == Side::Source ? BySide<size_t>{at, there->second} : BySide<size_t>{there->second, at};
+            if (done.insert(both.source).second) out.push_back(both);
+        }
+    return true;
+}
+
+bool match_used_side(const BySide<const std::vector<Leaf>*>& leaves, const BySide<TextOfSide>& texts, bool are_given,
+                     std::vector<BySide<size_t>>& out, std::string& zeroed) {
+    out.clear();
+    const BySide<UsedPlaces> places = {used_places(*leaves.source, texts.source, are_given),
+                                       used_places(*leaves.target, texts.target, are_given)};
+    const auto &ours = places.source.used, &theirs = places.target.used;
+    if (ours.size() != theirs.size()) return false;
+    auto other = theirs.begin();
+    for (const auto& [parameter, numbers] : ours) {
+        if (!match_used(leaves, places, {parameter, other->first}, out, zeroed)) return false;
+        ++other;
+    }
+    std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.source < b.source; });
     return true;
 }
 
@@ -129,6 +241,14 @@ LeafMatch match_leaves(const Leaves& source, const Leaves& target) {
     else if (!match_side(source.out, target.out, out.out))
         out.reason = "what they give differs: " + parameters_text(source.out.size()) + " from the source, " +
                      parameters_text(target.out.size()) + " from the target";
+    return out;
+}
+
+LeafMatch match_used_leaves(const Leaves& source, const Leaves& target, const BySide<TextOfSide>& texts) {
+    LeafMatch out;
+    if (!match_used_side({&source.in, &target.in}, texts, false, out.in, out.zeroed) ||
+        !match_used_side({&source.out, &target.out}, texts, true, out.out, out.zeroed) || out.out.empty())
+        out.reason = "they look at different numbers";
     return out;
 }
 

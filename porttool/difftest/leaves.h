@@ -3,9 +3,12 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "porttool/scan/side.h"
 
 namespace porttool {
 
@@ -32,9 +35,20 @@ std::map<int, Leaves> read_leaves(std::string_view text);
 
 /// Which number of the target each number of the source is, or why they do not fit each other.
 struct LeafMatch {
-    std::vector<size_t> in, out;  ///< in the order of the source's: the target's
+    std::vector<BySide<size_t>> in, out;  ///< places among the leaves; what stands in none is 0, and not compared
+    std::string zeroed;                   ///< a mark that one side alone keeps, which is 0; "" for none
     std::string reason;
 };
 LeafMatch match_leaves(const Leaves& source, const Leaves& target);
+
+/// What a side's texts say of what it takes.
+struct TextOfSide {
+    std::set<std::string, std::less<>> words;  ///< fields that none of them names are neither read nor written
+    std::set<int> unwritten;                   ///< parameters that nothing writes to, though it could
+};
+
+/// The same where the two hold more than they look at: what one side alone has and never names fits nothing, and need
+/// not. Numbers go by their names then.
+LeafMatch match_used_leaves(const Leaves& source, const Leaves& target, const BySide<TextOfSide>& texts);
 
 }  // namespace porttool

@@ -46,8 +46,7 @@ static bool is_extreme(const Trial& trial, const uint64_t* row, size_t record) {
     return std::isinf(size) || (size > kLarge && !trial.is_finite(record, *trial.first_difference(record)));
 }
 
-std::optional<Counterexample> counterexample(Trial& trial, const InputTable& table, size_t chosen,
-                                             const std::vector<Leaf>& results) {
+std::optional<Counterexample> counterexample(Trial& trial, const InputTable& table, size_t chosen) {
     const size_t width = trial.inputs().size();
     std::vector<uint64_t> record(table.begin() + static_cast<std::ptrdiff_t>(chosen * width),
                                  table.begin() + static_cast<std::ptrdiff_t>((chosen + 1) * width));
@@ -56,7 +55,7 @@ std::optional<Counterexample> counterexample(Trial& trial, const InputTable& tab
     const size_t output = *trial.first_difference(0);
     Counterexample found;
     for (size_t i = 0; i < width; ++i) found.inputs.push_back(seen_input(record[i], trial.inputs()[i]));
-    const Leaf& leaf = results[output];
+    const Leaf& leaf = trial.output(output);
     found.results = {seen_result(trial.source_result(0, output), leaf),
                      seen_result(trial.target_result(0, output), leaf)};
     return found;
@@ -64,8 +63,7 @@ std::optional<Counterexample> counterexample(Trial& trial, const InputTable& tab
 
 }  // namespace
 
-size_t tell_outcome(DifftestPair& pair, Trial& trial, const InputTable& table, const std::vector<Leaf>& results,
-                    int ulps) {
+size_t tell_outcome(DifftestPair& pair, Trial& trial, const InputTable& table, int ulps) {
     const size_t width = trial.inputs().size();
     size_t differing = 0;
     std::optional<size_t> simplest, extreme;
@@ -101,8 +99,7 @@ size_t tell_outcome(DifftestPair& pair, Trial& trial, const InputTable& table, c
     pair.state = simplest ? DifftestState::Differs : DifftestState::Same;
     if (!simplest && extreme)
         pair.reason = "but for inputs that are not finite, or so large that a result overflows, it differs";
-    if (simplest || extreme)
-        pair.counterexample = counterexample(trial, table, simplest ? *simplest : *extreme, results);
+    if (simplest || extreme) pair.counterexample = counterexample(trial, table, simplest ? *simplest : *extreme);
     return differing;
 }
 

@@ -26,6 +26,7 @@ SubjectParameter parameter_of(const ScannedFile& file, TokenRange range, const C
             out.can_be_array = !out.is_pointer && !is_text;
             out.is_pointer = true;
         }
+        out.is_reference = out.is_reference || word == "&";
         is_text = is_text || word == "char" || word == "void" || word == "FILE";
         if (lexed.tokens[i].kind == TokenKind::Identifier) out.name = word;
     }

@@ -14,6 +14,7 @@ namespace porttool {
 struct SubjectParameter {
     std::string name;
     bool is_pointer = false;
+    bool is_reference = false;
     bool can_be_array = false;  ///< a pointer to numbers, of whatever length
     bool is_guess = false;      ///< how many there are behind the pointer, the function's other arguments say
     int elements = 1;           ///< behind a pointer, as far as the function looks

@@ -14,9 +14,7 @@
 #include "porttool/normal/unit_state.h"
 
 namespace porttool {
-namespace {
 
-/// The classes that a class is made from.
 std::vector<std::string> bases_of(const Definition& one) {
     const LexedText& lexed = one.file->lexed;
     std::vector<std::string> out;
@@ -35,8 +33,6 @@ std::vector<std::string> bases_of(const Definition& one) {
     return out;
 }
 
-}  // namespace
-
 std::vector<std::string> fields_of(const Definition& one) {
     std::vector<std::string> out;
     if (one.unit == nullptr) return out;
@@ -47,6 +43,11 @@ std::vector<std::string> fields_of(const Definition& one) {
     bool named = false, starts = true;
     int depth = 0;
     for (at = at == words.end() ? at : at + 1; at != words.end(); ++at) {
+        // #ifdef NAME, #endif: where a field stands under a condition, it is one.
+        if (*at == "#" && at + 2 < words.end()) {
+            at += *(at + 1) == "ifdef" || *(at + 1) == "ifndef" ? 2 : 1;
+            continue;
+        }
         if (*at == "{") ++depth;
         if (*at == "}" && depth-- == 0) break;
         if (*at == ";" && depth == 0) {

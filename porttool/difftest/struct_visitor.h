@@ -10,6 +10,9 @@
 
 namespace porttool {
 
+/// The names of the classes that a class is made from.
+std::vector<std::string> bases_of(const Definition& one);
+
 /// The names of a struct's fields, in their order.
 std::vector<std::string> fields_of(const Definition& one);
 

@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include "porttool/difftest/assumed_macros.h"
+#include "porttool/difftest/object_use.h"
 #include "porttool/difftest/pointer_reach.h"
 #include "porttool/difftest/struct_visitor.h"
 #include "porttool/difftest/template_values.h"
@@ -21,6 +23,8 @@ std::string pointers_by_macro(const Definition& function, const Definitions& def
         if (lexed.tokens[i].kind != TokenKind::Identifier) continue;
         for (const Definition* found : definitions.find(*function.file, lexed.view(i))) {
             if (found->kind != Definition::Kind::Macro) continue;
+            // One that takes arguments is none without them.
+            if (takes_arguments(*found) && lexed.view(i + 1) != "(") continue;
             for (uint32_t at = found->tokens.first; at < found->tokens.end; ++at)
                 if (found->file->lexed.view(at) == "*") return found->name;
         }
@@ -103,7 +107,7 @@ Subject subject_of(const Definition& function, const Definitions& definitions, c
     const Unit& unit = *function.unit;
     if (unit.kind == UnitKind::Kernel) {
         out.reason = "a kernel: it takes its work from a launch";
-    } else if (!function.owner.empty()) {
+    } else if (!function.owner.empty() && uses_its_object(function, definitions)) {
         out.reason = "a member function of " + function.owner;
     } else if (function.name == "main") {
         out.reason = "the start of a program";
@@ -119,6 +123,7 @@ Subject subject_of(const Definition& function, const Definitions& definitions, c
         if (one != &function) supplied.functions.insert(one);
     out.closure = closure_of(function, definitions, supplied);
     out.reason = out.closure.missing;
+    out.assumed = assumed_macros(function, definitions);
     if (!out.reason.empty()) return out;
     take_stand_ins(out, stand_ins);
     out.template_arguments = template_arguments(file, unit, number_type_of(counterpart));

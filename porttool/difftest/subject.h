@@ -23,12 +23,13 @@ struct Subject {
     const Definition* function = nullptr;
     Closure closure;
     std::vector<SubjectParameter> parameters;
-    std::string template_arguments;            ///< "<float>" for a template; "" for others
-    std::set<int> stood_in;                    ///< the numbers of what was stood in for
-    std::set<std::string, std::less<>> named;  ///< of those, the ones by a name
-    bool has_notes = false;                    ///< some of those give nothing: what they are called with is compared
-    std::vector<const Definition*> variables;  ///< that are inputs, by name
-    std::string reason;                        ///< why it cannot be run; "" if it can
+    std::string template_arguments;              ///< "<float>" for a template; "" for others
+    std::set<int> stood_in;                      ///< the numbers of what was stood in for
+    std::set<std::string, std::less<>> named;    ///< of those, the ones by a name
+    bool has_notes = false;                      ///< some of those give nothing: what they are called with is compared
+    std::vector<const Definition*> variables;    ///< that are inputs, by name
+    std::map<std::string, std::string> assumed;  ///< macros that nobody defines, and without which it is not there
+    std::string reason;                          ///< why it cannot be run; "" if it can
 };
 
 /// How a function's side is written as C++. `fields`: fields_in() of its closure; they and `definitions` are looked at

@@ -66,6 +66,10 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
     manner.body.reset();
     manner.rename = "porttool_subject";
     std::string out = fmt::format("#line 1 \"subject_{}\"\n", number);
+    for (const auto& [name, value] : subject.assumed) {
+        out += fmt::format("#define {} {}\n", name, value);
+        after += fmt::format("#undef {}\n", name);
+    }
     out += before;
     out += fmt::format("namespace subject_{} {{ namespace {{\nusing namespace porttool_prelude;\n", number);
     for (const std::string& name : used) out += fmt::format("using porttool_prelude::{};\n", name);

@@ -54,15 +54,16 @@ std::string Trial::run_side(const BuiltSide& side, const InputTable& table, bool
                             std::vector<uint64_t>& out) {
     SlotMemory &in = memory_.in, &results_of_run = memory_.out;
     const size_t calls = std::max<size_t>(1, side.calls.size());
-    const size_t width = side.calls.empty() ? inputs_.size() : side.calls.front().size();
+    const size_t width = side.calls.empty() ? side.leaves.in.size() : side.calls.front().size();
+    const Side which = is_target ? Side::Target : Side::Source;
     const size_t outputs = side.calls.empty() ? side.leaves.out.size() : 1;
     if (!in.resize(records_ * calls * width) || !results_of_run.resize(records_ * calls * (outputs + 1)))
         return "there is no memory for its inputs; give --inputs a smaller number";
     uint64_t* next = in.slots().data();
-    std::vector<uint64_t> row(inputs_.size());
+    std::vector<uint64_t> row(side.leaves.in.size());
     for (size_t record = 0; record < records_; ++record) {
         for (size_t i = 0; i < inputs_.size(); ++i) {
-            const size_t place = is_target ? match_.in[i] : i;
+            const size_t place = match_.in[i][which];
             row[place] = slot_of(table[record * inputs_.size() + i], inputs_[i], side.leaves.in[place]);
         }
         if (side.calls.empty()) next = std::copy(row.begin(), row.end(), next);
@@ -116,8 +117,9 @@ bool Trial::repeats(const InputTable& table) {
 }
 
 uint64_t Trial::distance_at(size_t record, size_t output) const {
-    const Leaf &ours = source_.leaves.out[output], &theirs = target_.leaves.out[match_.out[output]];
-    const uint64_t a = source_row(record)[1 + output], b = target_row(record)[1 + match_.out[output]];
+    const BySide<size_t>& place = match_.out[output];
+    const Leaf &ours = source_.leaves.out[place.source], &theirs = target_.leaves.out[place.target];
+    const uint64_t a = source_row(record)[1 + place.source], b = target_row(record)[1 + place.target];
     if (!ours.is_real()) return a == b ? 0 : kFar;
     if (a == b && ours.kind == theirs.kind) return 0;
     const double x = value_of(a, ours), y = value_of(b, theirs);
@@ -136,7 +138,7 @@ uint64_t Trial::distance(size_t record) const {
 std::optional<double> Trial::wide_result(Side side, size_t record, size_t output) const {
     if (wide_[side] == nullptr) return std::nullopt;
     const std::vector<Leaf>& leaves = wide_[side]->leaves.out;
-    const size_t place = side == Side::Source ? output : match_.out[output];
+    const size_t place = match_.out[output][side];
     const uint64_t* const row = &wide_out_[side][record * (leaves.size() + 1)];
     if (row[0] != 0 || !leaves[place].is_real()) return std::nullopt;
     const double value = value_of(row[1 + place], leaves[place]);
@@ -144,7 +146,7 @@ std::optional<double> Trial::wide_result(Side side, size_t record, size_t output
 }
 
 bool Trial::is_rounding(size_t record, size_t output) const {
-    if (!source_.leaves.out[output].is_real() || !is_finite(record, output)) return false;
+    if (!source_.leaves.out[match_.out[output].source].is_real() || !is_finite(record, output)) return false;
     const BySide<double> results = {source_result(record, output), target_result(record, output)};
     constexpr double kSlack = 8;
     for (const Side side : kBothSides) {
@@ -166,7 +168,8 @@ Outcomes Trial::outcome(size_t record) const {
     if (source_row(record)[0] != 0 || target_row(record)[0] != 0) return Outcomes::OutOfDomain;
     if (first_difference(record)) return Outcomes::Differs;
     for (size_t i = 0; i < output_count(); ++i)
-        if (!source_.leaves.out[i].is_real() || !std::isnan(source_result(record, i))) return Outcomes::Same;
+        if (!source_.leaves.out[match_.out[i].source].is_real() || !std::isnan(source_result(record, i)))
+            return Outcomes::Same;
     return Outcomes::OutOfDomain;
 }
 
@@ -175,11 +178,12 @@ bool Trial::is_finite(size_t record, size_t output) const {
 }
 
 double Trial::source_result(size_t record, size_t output) const {
-    return value_of(source_row(record)[1 + output], source_.leaves.out[output]);
+    const size_t place = match_.out[output].source;
+    return value_of(source_row(record)[1 + place], source_.leaves.out[place]);
 }
 
 double Trial::target_result(size_t record, size_t output) const {
-    const size_t place = match_.out[output];
+    const size_t place = match_.out[output].target;
     return value_of(target_row(record)[1 + place], target_.leaves.out[place]);
 }
 

@@ -59,8 +59,10 @@ public:
     bool is_endless() const { return endless_; }
     size_t records() const { return records_; }
     Outcomes outcome(size_t record) const;
-    /// Where record's results first differ: the place among the source's outputs.
+    /// Where record's results first differ: the place among the outputs.
     std::optional<size_t> first_difference(size_t record) const;
+    /// What the source calls an output.
+    const Leaf& output(size_t output) const { return source_.leaves.out[match_.out[output].source]; }
     /// A result of either side as a double; whole numbers of 64 bits lose digits.
     double source_result(size_t record, size_t output) const;
     double target_result(size_t record, size_t output) const;
@@ -68,7 +70,7 @@ public:
     bool is_finite(size_t record, size_t output) const;
     /// How far apart the results of a record are at most, in ulps; 0 for equal bits.
     uint64_t distance(size_t record) const;
-    size_t output_count() const { return source_.leaves.out.size(); }
+    size_t output_count() const { return match_.out.size(); }
 
 private:
     std::string run_side(const BuiltSide& side, const InputTable& table, bool is_target, std::vector<uint64_t>& out);

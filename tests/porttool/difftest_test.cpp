@@ -405,6 +405,72 @@ Row spare;
     EXPECT_EQ(four["counterexample"]["target"].get<double>(), 4.5);
 }
 
+TEST_F(Difftest, RunsWhatNeedsNoObjectAndWhatStandsUnderMacros) {
+    write("b/forms.h", R"(#include <complex.h>
+struct Vec { double x, y; Vec() { x = 0; y = 0; } Vec(double a, double b) { x = a; y = b; }
+  Vec operator*(const Vec& o) const; double size2() const { return x * x + y * y; } };
+inline Vec Vec::operator*(const Vec& o) const { return Vec(x * o.x, y * o.y); }
+struct Host;
+struct Mark { Vec row; bool none; };
+struct Box { Box(Host* host); Vec scale; double unused[30]; Mark mark; int steps; double only_here; };
+struct Shape { float kept; float plain(float v) const; float held(float v) const { return v * kept; } };
+float Shape::plain(float v) const { return v * 2.0f; }
+)");
+    const nlohmann::json pairs = run_on("a.cl", R"(#ifdef USE_FOG
+float fog(float v) { return v + LAYERS_OF(v); }
+#endif
+#if defined(_WIN32)
+float window(float v) { return v; }
+#endif
+#if LAYERS > 2
+float layered(float v) { return v * LAYERS; }
+#endif
+#ifndef HOST
+inline float host_only(float v) { return 0; }
+#else
+inline float device_only(float v) { return v * 3.0f; }
+#endif
+float called(float v) { return device_only(v); }
+#define PACKED __attribute__((aligned(16)))
+typedef struct PACKED { float2 row; } MarkCl;
+typedef struct PACKED { int steps; float2 scale; MarkCl mark; } BoxCl;
+float2 stretched(float2 p, global BoxCl* box) { return p * box->scale * (float)box->steps; }
+float2 marked(float2 p, global BoxCl* box) { return box->mark.row; }
+float2 lacking(float2 p, global BoxCl* box) { return p; }
+float plain(float v) { return v * 2.0f; }
+float held(float v) { return v; }
+float summed(float a, float b) { return a + b; }
+float grown(float a, float b) { return a + b; }
+)",
+                                        "b.h", R"(#include "forms.h"
+float fog(float v) { return v + 1; }
+float window(float v) { return v; }
+float layered(float v) { return v * 3; }
+float called(float v) { return v * 3; }
+inline void stretched(Vec& p, const Box& box) { p = p * box.scale * Vec(box.steps, box.steps); }
+inline void marked(Vec& p, const Box& box) { p = box.mark.none ? Vec() : box.mark.row; }
+inline void lacking(Vec& p, const Box& box) { p.x += box.only_here; }
+float summed(float& a, float& b) { return a + b; }
+float grown(float& a, float& b) { a += b; return a; }
+)",
+                                        {"--inputs", "500"});
+    for (const auto& [name, reason] :
+         std::vector<std::pair<std::string, std::string>>{{"layered", "with LAYERS defined"},
+                                                          {"called", "with HOST defined"},
+                                                          {"stretched", ""},
+                                                          {"summed", ""},
+                                                          {"plain", ""},
+                                                          {"marked", "with box.mark.none at 0"}}) {
+        EXPECT_EQ(pair_of(pairs, name)["state"], "same") << pair_of(pairs, name).dump(1);
+        EXPECT_EQ(pair_of(pairs, name)["reason"].get<std::string>().find(reason), 0u) << pair_of(pairs, name)["reason"];
+    }
+    EXPECT_EQ(pair_of(pairs, "fog")["reason"], "source: unknown helper LAYERS_OF");
+    EXPECT_EQ(pair_of(pairs, "window")["reason"], "source: the preprocessor leaves it out") << "what a compiler says";
+    EXPECT_EQ(pair_of(pairs, "held")["reason"], "a member function of Shape") << "it reads a field";
+    for (const char* name : {"lacking", "grown"})
+        EXPECT_EQ(pair_of(pairs, name)["state"], "not_run") << pair_of(pairs, name).dump(1);
+}
+
 TEST_F(Difftest, SaysWhatIsMissing) {
     write("a/a.glsl", "float half_of(float x) { return x * 0.5; }\n");
     write("b/b.h", "inline float half_of(float x) { return x * 0.5f; }\n");

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "porttool/difftest/leaves.h"
+#include "porttool/difftest/subject.h"
+
+namespace porttool {
+
+/// What the texts of one side name, and which of its parameters they never write to.
+TextOfSide text_of_side(const Subject& subject);
+
+}  // namespace porttool
