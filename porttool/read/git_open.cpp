@@ -186,8 +186,8 @@ OpenedGit open_git(const std::string& root, const std::string& remedy) {
     git_libgit2_opts(GIT_OPT_SET_OWNER_VALIDATION, 0);
     const char* extensions[] = {"worktreeconfig", "partialclone", "preciousobjects"};
     git_libgit2_opts(GIT_OPT_SET_EXTENSIONS, extensions, std::size(extensions));
-    // Who fetched an object has asked whether it is the one that its name says; git does not ask again where it reads
-    // it either. It takes a tenth of what reading a merge base takes.
+    // Who fetched an object has asked whether it is the one that its name says; git does not ask again where it checks
+    // files out either.
     git_libgit2_opts(GIT_OPT_ENABLE_STRICT_HASH_VERIFICATION, 0);
     OpenedGit out;
     const std::string entry = git_entry_above(root);
