@@ -17,32 +17,58 @@ namespace {
 
 constexpr int MESSAGES_SHOWN = 3;
 
+// A kernel that includes itself would be read without end: ours include at most ten deep, and a hundred times.
+constexpr size_t DEEPEST_INCLUDE = 32;
+constexpr size_t MOST_INCLUDES = 4096;
+constexpr size_t LARGEST_INCLUDED = size_t{1} << 24;
+
 // Finds includes in the map of kernel files: one flat folder.
 class MapIncluder : public glslang::TShader::Includer {
 public:
     explicit MapIncluder(const std::map<std::string, std::string>& files) : files_(files) {}
 
-    IncludeResult* includeLocal(const char* header, const char*, size_t) override {
+    IncludeResult* includeLocal(const char* header, const char*, size_t depth) override {
         const auto file = files_.find(header);
         if (file == files_.end()) {
             return nullptr;
+        }
+        if (depth > DEEPEST_INCLUDE) {
+            return refuse("includes go more than 32 files deep; does one of them include itself?");
+        }
+        included_ += file->second.size();
+        if (++includes_ > MOST_INCLUDES || included_ > LARGEST_INCLUDED) {
+            return refuse("more than 4096 includes or 16 MiB of them; does a file include others twice?");
         }
         return new IncludeResult(file->first, file->second.data(), file->second.size(), nullptr);
     }
     IncludeResult* includeSystem(const char*, const char*, size_t) override { return nullptr; }
     void releaseInclude(IncludeResult* result) override { delete result; }
 
+    // Why an include of a file that is there was not read; "" where none was refused.
+    const std::string& refused() const { return refused_; }
+
 private:
+    // glslang goes on behind what it could not include: nothing more is read.
+    IncludeResult* refuse(const char* why) {
+        refused_ = refused_.empty() ? why : refused_;
+        includes_ = MOST_INCLUDES;
+        return nullptr;
+    }
+
     const std::map<std::string, std::string>& files_;
+    std::string refused_;
+    size_t includes_ = 0, included_ = 0;  // how many, and their characters
 };
 
 // glslang writes "ERROR: file:line: text" among summary lines; the first few such lines are what a person needs.
-Status compile_error(const std::string& name, const std::string& log) {
+// What follows an include that was refused is of a text that is not whole.
+Status compile_error(const std::string& name, const std::string& log, const std::string& refused = "") {
+    const int most = refused.empty() ? MESSAGES_SHOWN : 1;
     std::istringstream lines(log);
     std::string line;
     std::string text = "failed to compile the kernel " + name;
     int shown = 0;
-    while (std::getline(lines, line) && shown < MESSAGES_SHOWN) {
+    while (std::getline(lines, line) && shown < most) {
         const bool is_summary = line.find("compilation errors") != std::string::npos ||
                                 line.find("compilation terminated") != std::string::npos;
         if (line.rfind("ERROR: ", 0) == 0 && !is_summary) {
@@ -51,7 +77,7 @@ Status compile_error(const std::string& name, const std::string& log) {
             ++shown;
         }
     }
-    return Status::error(StatusCode::internal, text);
+    return Status::error(StatusCode::internal, text + (refused.empty() ? "" : ": " + refused));
 }
 
 // glslang wants one initialisation a process; it counts calls, so a static pair is enough.
@@ -103,7 +129,7 @@ Result<std::vector<uint32_t>> compile_kernel(const std::map<std::string, std::st
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
     MapIncluder includer(files);
     if (!shader.parse(GetDefaultResources(), 460, false, messages, includer)) {
-        return compile_error(name, shader.getInfoLog());
+        return compile_error(name, shader.getInfoLog(), includer.refused());
     }
     glslang::TProgram program;
     program.addShader(&shader);

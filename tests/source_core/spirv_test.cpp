@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <functional>
 #include <map>
 #include <set>
@@ -69,6 +70,50 @@ void expect_valid(const std::vector<uint32_t>& words) {
         messages += std::string(text) + "; ";
     });
     EXPECT_TRUE(tools.Validate(words)) << messages;
+}
+
+struct Includes {
+    const char* what;
+    std::map<std::string, std::string> added;  // in front of files that are there, or whole
+    std::vector<const char*> told;             // none: compiles
+};
+
+std::vector<Includes> includes() {
+    const std::string self = "#include \"finalize.glsl\"\n", own = "#include \"own0.glsl\"\n";
+    std::vector<Includes> rows = {
+        {"itself", {{"finalize.glsl", self}}, {"finalize.glsl:1: '#include'", "32 files deep"}},
+        {"itself, twice", {{"finalize.glsl", "\n" + self + self}}, {"finalize.glsl:2: '#include'", "32 files deep"}},
+        {"one another", {{"finalize.glsl", own}, {"own0.glsl", self}}, {"own0.glsl:1: '#include'", "32 files deep"}},
+        {"itself behind a guard", {{"finalize.glsl", "#ifndef OWN\n#define OWN\n" + self + "#endif\n"}}, {}},
+        {"none", {{"finalize.glsl", "#include \"gone.glsl\"\n"}}, {"finalize.glsl:1: '#include'", "gone.glsl"}}};
+    Includes deep{"a file that includes a file, 18 times", {{"finalize.glsl", own}}, {}};
+    Includes doubled{"two of the next, 24 times", {{"finalize.glsl", own}}, {"own22.glsl:", "4096 includes"}};
+    for (int i = 0; i < 24; ++i) {
+        const std::string name = "own" + std::to_string(i) + ".glsl";
+        const std::string line = "#include \"own" + std::to_string(i + 1) + ".glsl\"\n";
+        deep.added[name] = i < 18 ? line : "";
+        doubled.added[name] = i < 23 ? line + line : "";
+    }
+    rows.push_back(deep);
+    rows.push_back(doubled);
+    return rows;
+}
+
+// Such a kernel was once read without end.
+TEST(KernelIncludes, EndAndAreToldWithFileAndLine) {
+    for (const Includes& row : includes()) {
+        auto files = built_in_kernels();
+        for (const auto& [name, text] : row.added) {
+            files[name] = text + files[name];
+        }
+        const auto start = std::chrono::steady_clock::now();
+        const auto words = compile_kernel(files, "finalize.comp", KernelVariant().preamble(), {});
+        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5)) << row.what;
+        EXPECT_EQ(words.ok(), row.told.empty()) << row.what << ": " << words.status.message;
+        for (const char* told : row.told) {
+            EXPECT_NE(words.status.message.find(told), std::string::npos) << words.status.message;
+        }
+    }
 }
 
 class EveryModule : public testing::TestWithParam<std::tuple<uint32_t, uint32_t, TableAccess>> {
