@@ -397,8 +397,11 @@ private:
     /// one of the two may write.
     bool depends_on_merged(size_t first, size_t end, size_t was_before, size_t was_after) const {
         std::map<std::string, bool> names;  // and whether the new clauses may write it
-        for (size_t i = now(first).first; i < now(end - 1).end; ++i)
-            if (is_name(texts_.now.words[i])) names[texts_.now.words[i]] |= uses_.may_write_now(i);
+        for (size_t i = now(first).first; i < now(end - 1).end; ++i) {
+            const std::string& word = texts_.now.words[i];
+            const bool is_of_library = !uses_.is_local(i) && !translator_.is_declared(word);  // as `stderr`
+            if (is_name(word) && !is_of_library) names[word] |= uses_.may_write_now(i);
+        }
         const auto shares = [&](size_t c) {
             const Clause& clause = before(c);
             if (launch_ending(c) != nullptr || launch_beginning(c) != nullptr) return false;

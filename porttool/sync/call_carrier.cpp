@@ -70,15 +70,25 @@ CallCarrier::CallCarrier(const CheckedProject& checked, Knowledge& knowledge, Dr
                 paired_[side][unit->id].push_back(i);
 }
 
-/// What goes wrong where a name means several functions is not told.
-bool CallCarrier::is_only_one(const JudgedPair& pair, Side side) {
+/// The unit of a name, of the port that a file is of; nullptr for none, and for several: what goes wrong where a name
+/// means several functions is not told.
+const UnitState* CallCarrier::only_one(Side side, const std::string& file, const std::string& name) {
     const auto set_of = [&](const std::string& path) {
         return side == Side::Target ? sets_.of_path(path) : std::string();
     };
-    if (counts_[side].empty())
-        for (const auto& [id, state] : checked_.states[side])
-            if (state.kind != UnitKind::File) ++counts_[side][{set_of(state.file), function_name(state.name)}];
-    return counts_[side][{set_of(pair.unit[side]->file), function_name(pair.unit[side]->name)}] == 1;
+    if (only_[side].empty())
+        for (const auto& [id, state] : checked_.states[side]) {
+            if (state.kind == UnitKind::File) continue;
+            const auto [found, is_new] =
+                only_[side].try_emplace({set_of(state.file), function_name(state.name)}, &state);
+            if (!is_new) found->second = nullptr;
+        }
+    const auto found = only_[side].find({set_of(file), name});
+    return found == only_[side].end() ? nullptr : found->second;
+}
+
+bool CallCarrier::is_only_one(const JudgedPair& pair, Side side) {
+    return only_one(side, pair.unit[side]->file, function_name(pair.unit[side]->name)) != nullptr;
 }
 
 std::vector<std::string> CallCarrier::parameters_now(const JudgedPair& pair, Side to) {
@@ -95,6 +105,7 @@ std::vector<std::string> CallCarrier::parameters_now(const JudgedPair& pair, Sid
 }
 
 void CallCarrier::begin(const JudgedPair& pair, Side from, const NormalText& before) {
+    from_[&pair] = from;
     before_ = parameters_now(pair, other_side(from));
     const size_t old_count = parameters_of_text(before).size(),
                  new_count = parameters_of_text(pair.unit[from]->text).size();
@@ -238,6 +249,78 @@ void CallCarrier::tell_early_calls(const Changed& one, const Places& places, std
     });
 }
 
+bool CallCarrier::is_out_of_step(Side side, const std::string& id) const {
+    const auto pairs = paired_[side].find(id);
+    return pairs != paired_[side].end() && std::any_of(pairs->second.begin(), pairs->second.end(), [&](size_t pair) {
+               return checked_.judgement.pairs[pair].changed;
+           });
+}
+
+/// True unless a function surely takes another number of arguments.
+bool CallCarrier::takes(const UnitState& function, Side side, size_t count) {
+    const ScannedFile* file = knowledge_.file_of(side, function.file);
+    if (file == nullptr || (function.kind != UnitKind::Function && function.kind != UnitKind::Kernel)) return true;
+    const Draft* draft = drafts_.find(side, function.file);
+    const ScannedFile& now = draft == nullptr ? *file : draft->scanned;
+    const Unit* unit = unit_named(now, function.id);
+    if (unit == nullptr) return true;
+    const std::string name = function_name(function.name);
+    const bool of_class = unit->name.size() > unit->namespace_length + name.size() + 2;
+    const auto is_open = [](const LexedText& lexed, TokenRange range) {
+        for (uint32_t i = range.first; i < range.end; ++i)
+            if (lexed.view(i) == "=" || lexed.view(i) == "..." || lexed.view(i) == "#") return true;
+        return false;
+    };
+    if (of_class || is_open(now.lexed, unit->parameters) || parameters_of_head(now, *unit).size() == count) return true;
+    bool has_defaults = false;
+    for (const ScannedFile& one : knowledge_.files(side)) {
+        if (one.lexed.text.find(name) == std::string::npos) continue;
+        for (const CallSite& site : call_sites(one, name, false))
+            has_defaults |= site.declares && is_open(one.lexed, {site.name, site.close});
+    }
+    return has_defaults;
+}
+
+/// What a unit calls with another number of arguments than the only function of that name takes. What an edit of its
+/// own may still change is passed over.
+CallCarrier::Calls CallCarrier::misfitting_calls(const ScannedFile& file, const Unit& unit, Side side) {
+    Calls out;
+    for (const CallSite& site : calls_within(file, unit)) {
+        const std::string name(file.lexed.view(site.name));
+        const UnitState* function = only_one(side, file.path, name);
+        if (function != nullptr && !is_out_of_step(side, function->id) &&
+            !takes(*function, side, site.arguments.size()))
+            out.emplace(name, site.arguments.size());
+    }
+    return out;
+}
+
+/// Calls that a proposal has made and that do not compile.
+void CallCarrier::tell_misfits(const JudgedPair& pair, Side from, Proposal& proposal) {
+    const Side to = other_side(from);
+    const ScannedFile *file = knowledge_.file_of(to, pair.unit[to]->file),
+                      *other = knowledge_.file_of(from, pair.unit[from]->file);
+    const Draft* draft = drafts_.find(to, pair.unit[to]->file);
+    if (file == nullptr || other == nullptr || draft == nullptr) return;
+    const Unit *unit = unit_named(draft->scanned, pair.unit[to]->id), *before = unit_named(*file, pair.unit[to]->id),
+               *source = unit_named(*other, pair.unit[from]->id);
+    if (unit == nullptr || before == nullptr || source == nullptr) return;
+    const Calls known = misfitting_calls(*file, *before, to);
+    const auto line_of = [](const ScannedFile& text, const Unit& within, const std::string& name) {
+        for (const CallSite& site : calls_within(text, within))
+            if (text.lexed.view(site.name) == name) return text.lexed.tokens[site.name].line;
+        return text.lexed.tokens[within.name_token].line;
+    };
+    for (const auto& [name, count] : misfitting_calls(draft->scanned, *unit, to)) {
+        if (known.contains({name, count})) continue;
+        const uint32_t here = line_of(*other, *source, name), there = line_of(*file, *before, name);
+        proposal.left.push_back({"it would call `" + name + "` with " + std::to_string(count) +
+                                     " arguments, which takes another number of them there",
+                                 from == Side::Source ? here : there, from == Side::Source ? there : here});
+        proposal.state = ProposalState::Partial;
+    }
+}
+
 void CallCarrier::tell(const std::vector<size_t>& pairs, std::vector<Proposal>& proposals) {
     Places places;
     for (size_t i = 0; i < pairs.size(); ++i) places[pairs[i]] = i;
@@ -249,6 +332,12 @@ void CallCarrier::tell(const std::vector<size_t>& pairs, std::vector<Proposal>& 
         const bool changed =
             std::any_of(changed_.begin(), changed_.end(), [&](const Changed& other) { return other.pair == one.pair; });
         if (is_left && !changed) tell_early_calls(one, places, proposals);
+    }
+    for (size_t i = 0; i < pairs.size(); ++i) {
+        const JudgedPair& pair = checked_.judgement.pairs[pairs[i]];
+        const auto from = from_.find(&pair);
+        if (from != from_.end() && proposals[i].state == ProposalState::Proposed)
+            tell_misfits(pair, from->second, proposals[i]);
     }
 }
 

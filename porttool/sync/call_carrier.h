@@ -45,12 +45,18 @@ private:
     };
 
     std::vector<std::string> parameters_now(const JudgedPair& pair, Side to);
+    const UnitState* only_one(Side side, const std::string& file, const std::string& name);
     bool is_only_one(const JudgedPair& pair, Side side);
     std::string certain_argument(const JudgedPair& pair, Side from, size_t count, size_t place);
     void edit_sites(const JudgedPair& pair, Side to, size_t old_count, const std::vector<Added>& added);
     template <class Take>
     void each_site(const JudgedPair& pair, Side side, const Take& take);
     void tell_old_calls(const Changed& one, const Places& places, std::vector<Proposal>& proposals);
+    using Calls = std::set<std::pair<std::string, size_t>>;  ///< functions, and with how many arguments
+    Calls misfitting_calls(const ScannedFile& file, const Unit& unit, Side side);
+    bool is_out_of_step(Side side, const std::string& id) const;
+    bool takes(const UnitState& function, Side side, size_t count);
+    void tell_misfits(const JudgedPair& pair, Side from, Proposal& proposal);
     void tell_early_calls(const Changed& one, const Places& places, std::vector<Proposal>& proposals);
     bool is_paired(Side side, const std::string& id) const { return paired_[side].contains(id); }
 
@@ -58,11 +64,12 @@ private:
     Knowledge& knowledge_;
     Drafts& drafts_;
     TargetSets sets_;
-    BySide<std::map<std::string, std::vector<size_t>>> paired_;             ///< the pairs of a unit, by its id
-    BySide<std::map<std::pair<std::string, std::string>, size_t>> counts_;  ///< of units, by port and name
+    BySide<std::map<std::string, std::vector<size_t>>> paired_;                     ///< the pairs of a unit, by its id
+    BySide<std::map<std::pair<std::string, std::string>, const UnitState*>> only_;  ///< by port and name; or nullptr
     std::vector<std::string> before_;
-    std::vector<Changed> changed_;  ///< by proposals
-    std::vector<Changed> wanted_;   ///< by edits of the source
+    std::map<const JudgedPair*, Side> from_;  ///< the side that a pair is carried from
+    std::vector<Changed> changed_;            ///< by proposals
+    std::vector<Changed> wanted_;             ///< by edits of the source
 };
 
 }  // namespace porttool

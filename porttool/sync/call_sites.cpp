@@ -94,6 +94,23 @@ std::vector<CallSite> call_sites(const ScannedFile& file, std::string_view funct
     return out;
 }
 
+std::vector<CallSite> calls_within(const ScannedFile& file, const Unit& unit) {
+    const LexedText& lexed = file.lexed;
+    std::vector<CallSite> out;
+    for (uint32_t i = std::max(unit.body.first, 1u); i < unit.body.end; ++i) {
+        const std::string_view before = lexed.view(i - 1);
+        const bool picked = before == "." || before == "->" || before == "::";
+        if (lexed.tokens[i].kind != TokenKind::Identifier || picked) continue;
+        const uint32_t open = open_after(lexed, i);
+        if (open == kNoToken) continue;
+        CallSite site;
+        site.name = i;
+        read_arguments(lexed, open, site);
+        if (site.close != kNoToken) out.push_back(std::move(site));
+    }
+    return out;
+}
+
 std::vector<TokenRange> parameters_of_head(const ScannedFile& file, const Unit& unit) {
     const LexedText& lexed = file.lexed;
     std::vector<TokenRange> out;

@@ -20,6 +20,9 @@ struct CallSite {
 /// All in a file but the definition. `of_class`: a method, which calls may pick of an object.
 std::vector<CallSite> call_sites(const ScannedFile& file, std::string_view function, bool of_class);
 
+/// What a unit calls by a name alone, in the order of its words: no methods of objects.
+std::vector<CallSite> calls_within(const ScannedFile& file, const Unit& unit);
+
 /// What stands between the parentheses of a function's head, parameter by parameter; a lone `void` is none.
 std::vector<TokenRange> parameters_of_head(const ScannedFile& file, const Unit& unit);
 

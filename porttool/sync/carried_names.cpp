@@ -7,14 +7,26 @@
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/normal/normal_text.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
+
+namespace {
+
+bool is_enumeration(const UnitState& unit) {
+    const Words words = unit.text.words();
+    return unit.kind == UnitKind::Constant && words.size() > 2 && (words[0] == "enum" || words[1] == "enum");
+}
+
+}  // namespace
+
+bool has_members(const UnitState& unit) { return unit.kind == UnitKind::Struct || is_enumeration(unit); }
 
 Names new_members(const CheckedProject& checked, const LinesByPair& lines, const JudgedPair& pair, Side side) {
     Names out, old;
     const UnitState* unit = pair.unit[side];
     const LockedPair* line = lines.find(pair.id.source, pair.id.target);
-    if (unit == nullptr || line == nullptr || unit->kind != UnitKind::Struct) return out;
+    if (unit == nullptr || line == nullptr || !has_members(*unit)) return out;
     const Fingerprints& prints = side == Side::Source ? line->source_prints : line->target_prints;
     if (prints.written == unit->prints.written) return out;
     const NormalText before = text_behind(checked, prints.written);
@@ -22,9 +34,11 @@ Names new_members(const CheckedProject& checked, const LinesByPair& lines, const
     const Words words = unit->text.words();
     for (size_t i = 1; i + 1 < words.size(); ++i) {
         const std::string_view next = words[i + 1], last = words[i - 1];
-        const bool field = next == ";" || next == "," || next == "[" || next == "=" || next == ":";
+        const bool field = is_one_of(next, {";", ",", "[", "=", ":"});
+        const bool enumerator = is_enumeration(*unit) && is_one_of(last, {"{", ","}) && next == "}";
         const bool method = next == "(" && (is_word_token(last) || last == "*" || last == "&");
-        if ((field || method) && is_word_token(words[i]) && !old.contains(words[i])) out.emplace(words[i]);
+        if ((field || method || enumerator) && is_word_token(words[i]) && !old.contains(words[i]))
+            out.emplace(words[i]);
     }
     return out;
 }

@@ -15,7 +15,11 @@ namespace porttool {
 
 using Names = std::set<std::string, std::less<>>;
 
-/// The fields and methods that a struct has gained on one side. Their types are known otherwise, or not.
+/// True for a struct, and for an enumeration.
+bool has_members(const UnitState& unit);
+
+/// The fields, methods and enumerators that one of these has gained on one side. Their types are known otherwise, or
+/// not.
 Names new_members(const CheckedProject& checked, const LinesByPair& lines, const JudgedPair& pair, Side side);
 
 /// Where a text declares a name behind its type, in whatever block.

@@ -75,6 +75,23 @@ bool stands_for(const Region& here, const AlignedText& text, const Region& there
     return all > 0 && 2 * found > all;
 }
 
+/// The region that asks the same, where both sides have as many that do and as many around it; nullptr for none.
+const Region* region_like(size_t r, const std::vector<Region>& here, const std::vector<Region>& there) {
+    const Region& region = here[r];
+    const auto asks_so = [&](const Region& one) { return one.asks == region.asks; };
+    const auto around = [](const Region& inner, const std::vector<Region>& regions) {
+        return std::count_if(regions.begin(), regions.end(),
+                             [&](const Region& outer) { return outer.first < inner.first && inner.end <= outer.end; });
+    };
+    if (std::count_if(here.begin(), here.end(), asks_so) != std::count_if(there.begin(), there.end(), asks_so))
+        return nullptr;
+    auto other_place = there.begin();
+    auto before = std::count_if(here.begin(), here.begin() + static_cast<std::ptrdiff_t>(r), asks_so);
+    while (!asks_so(*other_place) || before-- > 0) ++other_place;
+    const Region& other = *other_place;
+    return around(region, here) == around(other, there) ? &other : nullptr;
+}
+
 }  // namespace
 
 std::vector<bool> under_other_directives(const AlignedText& text, const AlignedText& target, const Alignment& across) {
@@ -84,6 +101,8 @@ std::vector<bool> under_other_directives(const AlignedText& text, const AlignedT
     const bool alike = ask_alike(here, there);
     for (size_t r = 0; r < here.size(); ++r) {
         if (alike && (here[r].asks == there[r].asks || stands_for(here[r], text, there[r], target, across))) continue;
+        const Region* like = alike ? nullptr : region_like(r, here, there);
+        if (like != nullptr && stands_for(here[r], text, *like, target, across)) continue;
         for (size_t c = 0; c < out.size(); ++c)
             if (holds(here[r], text.clauses[c])) out[c] = true;
     }

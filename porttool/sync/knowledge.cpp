@@ -7,6 +7,7 @@
 
 #include "porttool/compare/paired_names.h"
 #include "porttool/match/words.h"
+#include "porttool/read/lock_lines.h"
 #include "porttool/scan/scan.h"
 #include "porttool/sync/call_sites.h"
 #include "porttool/sync/local_manner.h"
@@ -125,13 +126,23 @@ const UnitNames& Knowledge::unit_names(Side from) {
     std::optional<UnitNames>& out = names_[from];
     if (out) return *out;
     out.emplace();
+    const LinesByPair lines(checked_.lock);
     for (const JudgedPair& pair : checked_.judgement.pairs) {
         const Side to = other_side(from);
         if (pair.unit[from] == nullptr || pair.unit[to] == nullptr) continue;
         const std::string name(leaf_of(pair.unit[from]->name));
         out->names[name].emplace(leaf_of(pair.unit[to]->name));
-        if (arguments_of(pair.unit[from]->text) != arguments_of(pair.unit[to]->text))
-            out->other_parameters.insert(name);
+        // A parameter that came to one side comes to the other with it.
+        const LockedPair* line = lines.find(pair.id.source, pair.id.target);
+        const auto recorded = [&](Side side) {
+            const UnitState& unit = *pair.unit[side];
+            if (line == nullptr) return arguments_of(unit.text);
+            const Print print = (side == Side::Source ? line->source_prints : line->target_prints).written;
+            if (print == unit.prints.written) return arguments_of(unit.text);
+            const NormalText before = text_behind(checked_, print);
+            return before.empty() ? arguments_of(unit.text) : arguments_of(before);
+        };
+        if (recorded(from) != recorded(to)) out->other_parameters.insert(name);
     }
     return *out;
 }

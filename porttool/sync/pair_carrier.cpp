@@ -184,6 +184,12 @@ void PairCarrier::carry(const PairEdit& edit, Proposal& out) {
             edit,
             "this is one of several ports and holds a part of it alone; whether the edit is in that part is not told",
             out);
+    const auto is_macro = [](const UnitWords& text) { return !text.words.empty() && text.words.front() == "#"; };
+    if (is_macro(texts.was) != is_macro(texts.is) && is_macro(texts.there) != is_macro(texts.is))
+        return leave_at_heads(edit,
+                              is_macro(texts.is) ? "the source made a macro of it; look whether the port is to do so"
+                                                 : "it is no macro any more; look how the port is to declare it",
+                              out);
     texts.learn();
     KnownNames names = names_of(edit, texts);
     Transplant found = transplanted(edit, texts, names, out);
@@ -242,6 +248,7 @@ Transplant PairCarrier::transplanted(const PairEdit& edit, const Texts& texts, K
     UnitSurroundings around{!runs_on_device(file, texts.unit), is_method,
                             is_method && leaf_of(class_of(port)) == leaf_of(class_of(texts.unit)),
                             device_wait(texts.there.words, texts.other), known.scope_of_builtins(texts.there.words)};
+    around.pointers = declared_pointers(texts.there.words);
     read_earlier_file(edit, texts, around);
     const auto written = [&](size_t i) {
         return is.words[i] == "@" || is.is_added(i) ? is.words[i] : std::string(file.lexed.view(is.tokens[i]));

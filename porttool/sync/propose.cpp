@@ -6,7 +6,7 @@
 
 #include "porttool/compare/compare_pair.h"
 #include "porttool/judge/settle.h"
-#include "porttool/language/words.h"
+#include "porttool/normal/normal_text.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/read/lock_lines.h"
 #include "porttool/read/map_file.h"
@@ -43,14 +43,15 @@ std::vector<std::string> all_words(const NormalText& text) {
     return out;
 }
 
-/// True if two texts differ in qualifiers alone: `const`, `__restrict__`, `inline`.
-bool differ_in_qualifiers(const NormalText& before, const NormalText& now) {
-    const auto plain = [](const NormalText& text) {
-        Words out = text.words();
-        std::erase_if(out, [](std::string_view word) { return word_is(word, kQualifier); });
-        return out;
+/// True if the other side has all names that an edit gave up: it called its locals so too.
+bool has_lost_names(const NormalText& before, const NormalText& now, const NormalText& other) {
+    const Words kept = now.words(), there = other.words(), words = before.words();
+    const auto is_in = [](const Words& list, std::string_view word) {
+        return std::find(list.begin(), list.end(), word) != list.end();
     };
-    return plain(before) == plain(now);
+    return std::all_of(words.begin(), words.end(), [&](std::string_view word) {
+        return !is_word_token(word) || is_in(kept, word) || is_in(there, word);
+    });
 }
 
 class Proposer {
@@ -119,9 +120,11 @@ private:
         if (line == nullptr) return refuse("this pair was never recorded as in step, so no edit of it is known");
         const BySide<const Fingerprints*> recorded{&line->source_prints, &line->target_prints};
         BySide<NormalText> before;
-        BySide<bool> edited{};
+        BySide<bool> edited{}, touched{};
         for (const Side side : kBothSides) {
-            edited[side] = is_edit(classify(*recorded[side], pair.unit[side]->prints));
+            const Change change = classify(*recorded[side], pair.unit[side]->prints);
+            edited[side] = is_edit(change);
+            touched[side] = change != Change::None;
             before[side] = checked_.judgement.renamed[side].updated(text_behind(checked_, recorded[side]->written));
         }
         const PairComparison found =
@@ -134,13 +137,14 @@ private:
                                                                     : "both sides changed alike");
             return out;
         };
-        const Side changed = edited.source ? Side::Source : Side::Target;
+        const Side changed = touched.source ? Side::Source : Side::Target;
         // A port of several originals has nothing to follow that changes none of its values.
         const Side port = other_side(changed);
-        const bool is_alone = counts_[port].at(pair.id[port]) == 1;
-        const bool may_follow =
-            found.standing == Standing::Idle && edited.source != edited.target && is_alone &&
-            (found.respelled[changed] || differ_in_qualifiers(before[changed], pair.unit[changed]->text));
+        const bool may_follow = found.standing <= Standing::Idle && touched.source != touched.target &&
+                                counts_[port].at(pair.id[port]) == 1 &&
+                                (found.standing != Standing::InStep ||
+                                 has_lost_names(before[changed], pair.unit[changed]->text, pair.unit[port]->text));
+        if (may_follow) edited[changed] = true;
         if (found.standing <= Standing::Equivalent && !may_follow) return none_is_due();
         Side to = edited.source ? Side::Target : Side::Source;
         if (edited.source && edited.target && checked_.project.map.reference == Reference::Target) to = Side::Source;
@@ -309,7 +313,7 @@ SyncResult propose_all(const CheckedProject& checked, const std::vector<size_t>&
                 out.proposals[i].state == ProposalState::Proposed || out.proposals[i].state == ProposalState::Already;
             const UnitState* unit = pair.unit.source != nullptr ? pair.unit.source : pair.unit.target;
             const bool is_last = round == kMostRounds;
-            if ((!is_whole || is_last) && unit != nullptr && unit->kind == UnitKind::Struct) kept_back.insert(pairs[i]);
+            if ((!is_whole || is_last) && unit != nullptr && has_members(*unit)) kept_back.insert(pairs[i]);
         }
         if (kept_back.size() == known) return out;
     }

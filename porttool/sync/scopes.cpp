@@ -3,6 +3,7 @@
 #include "porttool/sync/scopes.h"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 
 #include "porttool/language/words.h"
@@ -76,10 +77,23 @@ bool is_member(const std::vector<std::string>& words, size_t i) {
     return i > 0 && is_one_of(words[i - 1], {".", "->", "::"});
 }
 
+/// The values that a template takes: `kSize` of `template < typename T , int kSize >`.
+std::set<std::string> template_values(const std::vector<std::string>& words) {
+    std::set<std::string> out;
+    if (words.size() < 2 || words[0] != "template" || words[1] != "<") return out;
+    int depth = 1;
+    for (size_t i = 2; i + 1 < words.size() && depth > 0; ++i) {
+        const bool ends = depth == 1 && is_one_of(words[i + 1], {",", "=", ">"});
+        if (ends && is_plain_name(words[i]) && is_type_word(words[i - 1])) out.insert(words[i]);
+        depth += words[i] == "<" ? 1 : words[i] == ">" ? -1 : 0;
+    }
+    return out;
+}
+
 /// The parameters of a function's head, however they are handed over: the last name of each. A method's name may go on
 /// behind its `@`: `void @ < T > :: scale (`.
 std::set<std::string> parameter_names(const std::vector<std::string>& words) {
-    std::set<std::string> out;
+    std::set<std::string> out = template_values(words);
     auto at = static_cast<size_t>(std::find(words.begin(), words.end(), "@") - words.begin());
     while (at < words.size() && words[at] != "(") ++at;
     int depth = 1;
@@ -139,6 +153,24 @@ std::set<std::string> lost_names(const std::vector<std::string>& before, const s
     const std::set<std::string> known = used_out_of_scope(before, all);
     for (const std::string& name : used_out_of_scope(now, all))
         if (!known.contains(name)) out.insert(name);
+    return out;
+}
+
+std::set<std::string, std::less<>> declared_pointers(const std::vector<std::string>& words) {
+    const auto head_end = static_cast<size_t>(std::find(words.begin(), words.end(), "{") - words.begin());
+    std::set<std::string, std::less<>> out;
+    const std::set<std::string> parameters = parameter_names(words);
+    std::map<std::string, size_t> times;
+    for (size_t i = 2; i + 1 < words.size(); ++i) {
+        const bool is_parameter = i < head_end && parameters.contains(words[i]) && is_one_of(words[i + 1], {",", ")"});
+        if (!is_parameter && (i < head_end || !may_bring(words, i))) continue;
+        ++times[words[i]];
+        size_t star = i - 1;
+        while (star > 1 && word_is(words[star], kQualifier)) --star;
+        const bool one = words[star] == "*" && star > 0 && words[star - 1] != "*" && is_word_token(words[star - 1]);
+        if (one && words[i + 1] != "[") out.insert(words[i]);
+    }
+    std::erase_if(out, [&](const std::string& name) { return times[name] != 1; });
     return out;
 }
 

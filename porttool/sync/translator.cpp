@@ -6,6 +6,7 @@
 
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_text.h"
+#include "porttool/sync/operands.h"
 
 namespace porttool {
 namespace {
@@ -48,6 +49,15 @@ bool is_vector_literal(const std::vector<std::string>& words, size_t i, size_t e
 bool asks_for_macro(const std::vector<std::string>& words, size_t i) {
     if (i > 1 && words[i - 2] == "#" && (words[i - 1] == "ifdef" || words[i - 1] == "ifndef")) return true;
     return i > 0 && (words[i - 1] == "defined" || (i > 1 && words[i - 1] == "(" && words[i - 2] == "defined"));
+}
+
+size_t closing_bracket(const std::vector<std::string>& words, size_t open, size_t end) {
+    int depth = 0;
+    for (size_t k = open; k < end; ++k) {
+        depth += words[k] == "(" ? 1 : words[k] == ")" ? -1 : 0;
+        if (depth == 0) return k;
+    }
+    return end;
 }
 
 /// Where the bracket that opens at `open` closes, if there is a comma directly within; else `end`.
@@ -117,6 +127,34 @@ bool EditTranslator::carry_literal(const std::vector<std::string>& words, size_t
     out.unknown.insert(out.unknown.end(), within.unknown.begin(), within.unknown.end());
     put(bracket == "{" ? "}" : ")", close);
     i = close + 1;
+    return true;
+}
+
+bool EditTranslator::carry_cast(const std::vector<std::string>& words, size_t& i, size_t end,
+                                const std::function<std::string(size_t)>& written, CarriedWords& out) const {
+    const bool after_name = i > 0 && is_word_token(words[i - 1]) && words[i - 1] != "return";
+    if (!known_.lacks_casts() || after_name || words[i] != "(" || i + 3 >= end || !is_type_word(words[i + 1]) ||
+        words[i + 2] != ")" || words[i + 3] == "-")
+        return false;
+    // What the cast takes: one operand, to where nothing goes on with it.
+    size_t last = i + 3;
+    int depth = 0;
+    for (; last < end; ++last) {
+        depth += is_one_of(words[last], {"(", "["}) ? 1 : is_one_of(words[last], {")", "]"}) ? -1 : 0;
+        const bool goes_on = last + 1 < end && (is_accessor(words[last]) || is_accessor(words[last + 1]) ||
+                                                is_one_of(words[last + 1], {"(", "["}));
+        if (depth < 0 || (depth == 0 && !goes_on)) break;
+    }
+    const std::string type = type_named(words[i + 1]);
+    if (last >= end || depth != 0 || type.empty() || !is_operand(words, i + 3, last + 1)) return false;
+    const bool is_grouped = words[i + 3] == "(" && closing_bracket(words, i + 3, end) == last;
+    CarriedWords within = carry(words, i + 3, last + 1, written);
+    out.words.push_back({type, i + 1});
+    if (!is_grouped) out.words.push_back({"(", i + 2});
+    out.words.insert(out.words.end(), within.words.begin(), within.words.end());
+    if (!is_grouped) out.words.push_back({")", last + 1});
+    out.unknown.insert(out.unknown.end(), within.unknown.begin(), within.unknown.end());
+    i = last + 1;
     return true;
 }
 
@@ -194,6 +232,17 @@ bool EditTranslator::carry_pattern(const std::vector<std::string>& words, size_t
 
 CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t first, size_t end,
                                    const std::function<std::string(size_t)>& written) const {
+    CarriedWords out = carry_words(words, first, end, written);
+    // A member of what the port has a pointer to.
+    for (size_t i = 1; i < out.words.size(); ++i)
+        if (out.words[i].text == "." && around_.pointers.contains(out.words[i - 1].text) &&
+            (i == 1 || !is_accessor(out.words[i - 2].text)))
+            out.words[i].text = "->";
+    return out;
+}
+
+CarriedWords EditTranslator::carry_words(const std::vector<std::string>& words, size_t first, size_t end,
+                                         const std::function<std::string(size_t)>& written) const {
     CarriedWords out;
     if (carry_pattern(words, first, end, out) || carry_launch(words, first, end, written, out)) return out;
     if (around_.wait && waits_for_device(words, first, end) && pair_.longest(words, first, end).length == 0) {
@@ -208,6 +257,7 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
             continue;
         }
         if (carry_literal(words, i, end, written, out)) continue;
+        if (carry_cast(words, i, end, written, out)) continue;
         if (known_.lacks_casts() && words[i] == "(" && i + 2 < words.size() && is_type_word(words[i + 1]) &&
             words[i + 2] == ")" && (i == 0 || !is_word_token(words[i - 1]) || words[i - 1] == "return"))
             out.unknown.push_back("(" + words[i + 1] + ")");
@@ -216,7 +266,7 @@ CarriedWords EditTranslator::carry(const std::vector<std::string>& words, size_t
         if (!known_.has_literals() && !after_head && words[i] == "(" && i + 3 < words.size() &&
             is_word_token(words[i + 1]) && words[i + 2] == ")" && words[i + 3] == "{")
             out.unknown.push_back("(" + words[i + 1] + "){");
-        if (units_.other_parameters.contains(words[i]) && i + 1 < words.size() && words[i + 1] == "(")
+        if (units_.other_parameters.contains(words[i]) && i + 1 < end && words[i + 1] == "(")
             out.unknown.push_back(words[i] + "()");
         if (known_.constructs_vectors() && is_vector_literal(words, i, end)) {
             const std::string type = word(words[i + 1], Use::Type);
@@ -284,6 +334,13 @@ std::vector<std::string> EditTranslator::meaning(const std::vector<std::string>&
         if (!word.empty()) out.push_back(std::move(word));
     }
     return out;
+}
+
+bool EditTranslator::calls_otherwise(const std::vector<std::string>& words, size_t first, size_t end) const {
+    for (size_t i = first; i + 1 < end; ++i)
+        if (units_.other_parameters.contains(words[i]) && (words[i + 1] == "(" || has_template_arguments(words, i + 1)))
+            return true;
+    return false;
 }
 
 bool EditTranslator::are_qualifiers(const std::vector<std::string>& words, size_t first, size_t end) const {

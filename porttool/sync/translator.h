@@ -44,13 +44,14 @@ struct UnitNames {
 
 /// What is known of the unit that changes, beside its text.
 struct UnitSurroundings {
-    bool on_host = false;                           ///< nothing of it runs on a device
-    bool is_method = false;                         ///< the port is one
-    bool is_of_one_class = false;                   ///< both sides' units are methods of classes of one name
-    DeviceWait wait = {};                           ///< of the port
-    std::vector<std::string> scope = {};            ///< that the port calls every built-in in: `sycl ::`
-    std::set<std::string, std::less<>> fresh = {};  ///< words that its file did not have before the edit
-    std::set<std::string, std::less<>> gone = {};   ///< units that its file had before the edit
+    bool on_host = false;                              ///< nothing of it runs on a device
+    bool is_method = false;                            ///< the port is one
+    bool is_of_one_class = false;                      ///< both sides' units are methods of classes of one name
+    DeviceWait wait = {};                              ///< of the port
+    std::vector<std::string> scope = {};               ///< that the port calls every built-in in: `sycl ::`
+    std::set<std::string, std::less<>> fresh = {};     ///< words that its file did not have before the edit
+    std::set<std::string, std::less<>> gone = {};      ///< units that its file had before the edit
+    std::set<std::string, std::less<>> pointers = {};  ///< variables that the port declares so
 };
 
 /// A number of the normal form as code has it: `1f` is `1.0f`.
@@ -94,9 +95,17 @@ public:
     bool lacks_references() const { return known_.lacks_casts(); }
     /// True where the target declares `name`, and nobody `other`, not even the edit.
     bool declares_alone(std::string_view name, std::string_view other) const {
-        return known_.is_declared_there(name) && !is_type_word(name) && !around_.gone.contains(name) &&
-               is_from_elsewhere(other, other) && !brought_.contains(other);
+        return is_word_token(other) && known_.is_declared_there(name) && !is_type_word(name) &&
+               !around_.gone.contains(name) && is_from_elsewhere(other, other) && !brought_.contains(other);
     }
+
+    /// True for what a file of either side declares, outside of functions or as a field.
+    bool is_declared(std::string_view name) const {
+        return known_.is_of_source(name) || known_.is_declared_there(name);
+    }
+
+    /// True if one of words[first, end) calls what takes another number of arguments on the target's side.
+    bool calls_otherwise(const std::vector<std::string>& words, size_t first, size_t end) const;
 
     /// True for a name that the edit itself brings in.
     bool brings(std::string_view name) const { return brought_.contains(name); }
@@ -130,6 +139,11 @@ private:
     /// Carries a value of several parts in the target's form, and moves `i` behind it; false if none stands there.
     bool carry_literal(const std::vector<std::string>& words, size_t& i, size_t end,
                        const std::function<std::string(size_t)>& written, CarriedWords& out) const;
+    /// Carries a cast in C's manner in that of a constructor, for a language that has no other; as above.
+    bool carry_cast(const std::vector<std::string>& words, size_t& i, size_t end,
+                    const std::function<std::string(size_t)>& written, CarriedWords& out) const;
+    CarriedWords carry_words(const std::vector<std::string>& words, size_t first, size_t end,
+                             const std::function<std::string(size_t)>& written) const;
     std::string member(std::string_view text) const;
 
     const Examples& pair_;

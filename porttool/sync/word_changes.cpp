@@ -27,7 +27,8 @@ void WordChanger::change_words(const std::vector<Hunk>& hunks, size_t was, size_
     // Where the target says the clause word for word it has to say the new one so, too.
     const Clause& other = target(there);
     if (out_.replaced.size() == made || was == 0 ||
-        !says(other.first, other.end, carry_old(before(was).first, before(was).end).words))
+        !says(other.first, other.end, carry_old(before(was).first, before(was).end).words) ||
+        translator_.calls_otherwise(texts_.now.words, now(is).first, now(is).end))
         return;
     const CarriedWords now_said = carry_new(now(is).first, now(is).end);
     if (!now_said.unknown.empty() || result_of(other, made) == texts_of(now_said.words)) return;
@@ -325,6 +326,14 @@ bool WordChanger::insert_run(const Hunk& hunk, size_t was, size_t there) {
     } else if (left != hunk.first && right != hunk.first) {
         return false;
     }
+    if (const size_t listed = place_of_enumerator(hunk); listed != kNothing && now.unknown.empty()) {
+        out_.replaced.push_back({listed, listed, now.words, hunk.now_first, hunk.now_end});
+        if (words[hunk.now_first] != ",") {  // `A ,` in front of the next is `, A` behind the one before
+            std::vector<CarriedWord>& moved = out_.replaced.back().words;
+            std::rotate(moved.begin(), moved.end() - 1, moved.end());
+        }
+        return true;
+    }
     if (was == 0 && stands_behind_other(hunk, place)) {
         leave_run(hunk, place, "the port has its parameters in another order");
         return true;
@@ -359,6 +368,21 @@ size_t WordChanger::end_of_element(size_t first, size_t end) const {
         depth += word == "(" || word == "[" || word == "{" ? 1 : closes ? -1 : 0;
     }
     return kNothing;
+}
+
+size_t WordChanger::place_of_enumerator(const Hunk& hunk) const {
+    const std::vector<std::string>&old = texts_.before.words, &now = texts_.now.words, &there = texts_.target.words;
+    const auto is_enumeration = [](const std::vector<std::string>& words) {
+        return words.size() > 2 && (words[0] == "enum" || words[1] == "enum");
+    };
+    if (!is_enumeration(old) || !is_enumeration(there) || hunk.first == 0) return kNothing;
+    const bool comma_first = now[hunk.now_first] == ",", comma_last = now[hunk.now_end - 1] == ",";
+    if (comma_first == comma_last) return kNothing;
+    const size_t last = hunk.first - (comma_last && old[hunk.first - 1] == "," ? 2 : 1);
+    if (last >= old.size() || !is_name(old[last])) return kNothing;  // one with a value is where it is counted from
+    const size_t times = static_cast<size_t>(std::count(there.begin(), there.end(), old[last]));
+    const auto at = static_cast<size_t>(std::find(there.begin(), there.end(), old[last]) - there.begin());
+    return times == 1 && at + 1 < there.size() && is_one_of(there[at + 1], {",", "}"}) ? at + 1 : kNothing;
 }
 
 bool WordChanger::stands_behind_other(const Hunk& hunk, size_t place) const {

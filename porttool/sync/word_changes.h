@@ -75,6 +75,9 @@ private:
     /// True for a new parameter that would come behind another one than in the source, which the target has elsewhere
     /// under the same name or one that begins so.
     bool stands_behind_other(const Hunk& hunk, size_t place) const;
+    /// Behind which word a new enumerator comes where the target lists them in another order: behind the one that
+    /// stands before it in the source; kNothing where that is not told.
+    size_t place_of_enumerator(const Hunk& hunk) const;
     /// True for a parenthesis that went, and that the target never had.
     bool is_idle_bracket(const Hunk& hunk) const;
     /// True for an edit of words that have no counterpart on the other side, or mean the same there: scopes, address

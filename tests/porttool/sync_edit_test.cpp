@@ -627,9 +627,19 @@ TEST(SyncEdit, ACastIsWrittenAsThePortsLanguageHasIt) {
     EditCase one{
         "k.cl", "k.glsl", "float shade(int a) {\n    return 2.0f;\n}\n", "", "float shade(int a) {\n  return 2.0;\n}\n",
         ""};
-    one.after = replaced(one.before, "2.0f", "(float)a");
-    one.ported = replaced(one.port, "2.0", "float(a)");
-    expect_not_wrong(one);
+    const std::array<std::array<const char*, 2>, 5> casts = {
+        {{"(float)a", "float(a)"},
+         {"2.0f - (float)a", "2.0 - float(a)"},
+         {"(float)(a + 1)", "float(a + 1)"},
+         {"(float)a * (float)(a)", "float(a) * float(a)"},
+         {"(float)(a + 1) / (float)(a - 1)", "float(a + 1) / float(a - 1)"}}};
+    for (const auto& [source, target] : casts) {
+        one.after = replaced(one.before, "2.0f", source);
+        one.ported = replaced(one.port, "2.0", target);
+        expect_ported(one);
+    }
+    one.after = replaced(one.before, "2.0f", "(float)-a");  // what it takes is not certain
+    expect_left(one);
 }
 
 TEST(SyncEdit, AWordThatThePortAlwaysQualifies) {

@@ -42,17 +42,16 @@ protected:
         EXPECT_NE(got["left"][0]["message"].get<std::string>().find(what), std::string::npos) << got.dump(1);
         EXPECT_EQ(got["left"][0]["target_line"], line) << got.dump(1);
     }
-    std::string port_now() const { return disk.read((root / port_path).string(), 1 << 20).bytes; }
-
-    std::string source_path, port_path;
-
-private:
+    /// A text without white space.
     static std::string dense(const std::string& text) {
         std::string out;
         for (const char c : text)
             if (c != ' ' && c != '\n') out += c;
         return out;
     }
+    std::string port_now() const { return disk.read((root / port_path).string(), 1 << 20).bytes; }
+
+    std::string source_path, port_path;
 };
 
 }  // namespace porttool::testing
