@@ -4,22 +4,13 @@
 
 #include "porttool/compare/brackets.h"
 #include "porttool/normal/normal_text.h"
+#include "porttool/sync/operands.h"
 #include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
 
 constexpr std::string_view kLaunch = "hipLaunchKernelGGL";
-
-/// Where the bracket that opens at `open` closes; `end` for none.
-size_t closing_bracket(const std::vector<std::string>& words, size_t open, size_t end) {
-    int depth = 0;
-    for (size_t i = open; i < end; ++i) {
-        depth += deeper(words[i]);
-        if (depth == 0) return i;
-    }
-    return end;
-}
 
 /// What commas part outside of brackets.
 std::vector<LaunchParts::Run> parted_by_commas(const std::vector<std::string>& words, size_t first, size_t end) {

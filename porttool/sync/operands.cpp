@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/sync/operands.h"
 
+#include "porttool/compare/brackets.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_text.h"
 
@@ -36,6 +37,15 @@ bool is_operand(const std::vector<std::string>& words, size_t first, size_t end)
         if (!is_name(words[i]) && !is_number_token(words[i])) return false;
     }
     return first < end && depth == 0;
+}
+
+size_t closing_bracket(const std::vector<std::string>& words, size_t open, size_t end) {
+    int depth = 0;
+    for (size_t i = open; i < end; ++i) {
+        depth += deeper(words[i]);
+        if (depth == 0) return i;
+    }
+    return end;
 }
 
 Clause value_of(const std::vector<std::string>& words, Clause clause) {

@@ -26,6 +26,9 @@ bool is_path(const std::vector<std::string>& words, size_t first, size_t end);
 /// True if words [first, end) are one operand, whatever stands beside them: a name, a call, something in parentheses.
 bool is_operand(const std::vector<std::string>& words, size_t first, size_t end);
 
+/// Where the bracket that opens at `open` closes, before `end`; else `end`.
+size_t closing_bracket(const std::vector<std::string>& words, size_t open, size_t end);
+
 /// The words of a clause that make its value: of `a = b + c ;` and of `return b + c ;` the sum.
 Clause value_of(const std::vector<std::string>& words, Clause clause);
 

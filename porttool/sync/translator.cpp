@@ -51,15 +51,6 @@ bool asks_for_macro(const std::vector<std::string>& words, size_t i) {
     return i > 0 && (words[i - 1] == "defined" || (i > 1 && words[i - 1] == "(" && words[i - 2] == "defined"));
 }
 
-size_t closing_bracket(const std::vector<std::string>& words, size_t open, size_t end) {
-    int depth = 0;
-    for (size_t k = open; k < end; ++k) {
-        depth += words[k] == "(" ? 1 : words[k] == ")" ? -1 : 0;
-        if (depth == 0) return k;
-    }
-    return end;
-}
-
 /// Where the bracket that opens at `open` closes, if there is a comma directly within; else `end`.
 size_t end_of_parts(const std::vector<std::string>& words, size_t open, size_t end) {
     int depth = 0;
