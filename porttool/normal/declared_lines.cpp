@@ -127,11 +127,6 @@ private:
         std::string last = "";  // what was written of the value that the others count from
         int64_t more = 0;
         for (++at; at < end && lexed_.view(at) != "}";) {
-            if (lexed_.view(at) == "#") {  // a branch for the compiler
-                const uint32_t line = lexed_.tokens[at].line;
-                while (at < end && lexed_.tokens[at].line == line) ++at;
-                continue;
-            }
             if (lexed_.tokens[at].kind != TokenKind::Identifier || !is_code(at)) {
                 ++at;
                 continue;
@@ -140,12 +135,14 @@ private:
             if (at < end && lexed_.view(at) == "=") {
                 const uint32_t first = ++at;
                 int depth = 0;
-                for (; at < end && (depth > 0 || !is_one_of(lexed_.view(at), {",", "}", "#"})); ++at)
+                for (; at < end && (depth > 0 || (lexed_.view(at) != "," && lexed_.view(at) != "}")); ++at)
                     depth += lexed_.view(at) == "(" ? 1 : lexed_.view(at) == ")" ? -1 : 0;
                 last = text_of({first, at});
                 more = 0;
             }
-            add(name, "enum " + std::string(lexed_.view(name)) + " = " + counted(last, more++));
+            const std::string value = counted(last, more++);
+            const bool is_directive = lexed_.view(name - 1) == "#";  // counted all the same, as in locks of before
+            if (!is_directive) add(name, "enum " + std::string(lexed_.view(name)) + " = " + value);
         }
     }
 
