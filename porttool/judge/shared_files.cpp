@@ -30,38 +30,52 @@ bool may_mean(std::string_view name, std::string_view folder, std::string_view t
     return there == end || there.ends_with("/" + end);
 }
 
+std::string_view last_part(std::string_view path) { return path.substr(path.rfind('/') + 1); }
+
+std::string key_of(std::string_view place, std::string_view name) {
+    return std::string(place) + '\n' + std::string(name);
+}
+
+/// A few of one key are enough: a file includes one of a name.
+void add_few(std::vector<std::string>& names, const std::string& name) {
+    constexpr size_t kMostAlike = 16;
+    if (names.size() < kMostAlike) names.push_back(name);
+}
+
 }  // namespace
 
-const SharedFiles::Includes& SharedFiles::foreign_includes(Side side) {
-    if (includes_[side]) return *includes_[side];
-    Includes& out = includes_[side].emplace();
+const SharedFiles::Foreign& SharedFiles::foreign_includes(Side side) {
+    if (foreign_[side]) return *foreign_[side];
+    Foreign& out = foreign_[side].emplace();
     if (!facts_.files) return out;
     const std::vector<FileMacros> files = (*facts_.files)[side].macros();
     std::set<std::string_view> own;
     for (const FileMacros& file : files) own.insert(file.path);
     for (const FileMacros& file : files)
-        for (const std::string& name : file.includes)
-            if (!own.contains(plain(std::string(folder_of_path(file.path)) + name))) out[file.path].push_back(name);
+        for (const std::string& name : file.includes) {
+            const std::string_view folder = folder_of_path(file.path), last = last_part(name);
+            if (own.contains(plain(std::string(folder) + name))) continue;
+            add_few(out.by_file[key_of(file.path, last)], name);
+            if (without_suffix(last) != last) add_few(out.by_folder[key_of(folder, without_suffix(last))], name);
+        }
     return out;
 }
 
 bool SharedFiles::includes(Side side, std::string_view path, std::string_view there) {
-    const Includes& all = foreign_includes(side);
-    const auto file = all.find(path);
-    return file != all.end() && std::any_of(file->second.begin(), file->second.end(), [&](const std::string& name) {
+    const Includes& all = foreign_includes(side).by_file;
+    const auto found = all.find(key_of(path, last_part(there)));
+    return found != all.end() && std::any_of(found->second.begin(), found->second.end(), [&](const std::string& name) {
                return may_mean(name, folder_of_path(path), there);
            });
 }
 
 bool SharedFiles::folder_includes(Side side, std::string_view path, std::string_view there) {
+    const Includes& all = foreign_includes(side).by_folder;
     const std::string_view folder = folder_of_path(path);
-    const auto is_header_of = [&](const std::string& name) {
-        const std::string_view stem = without_suffix(name);
-        return stem.size() < name.size() && may_mean(std::string(stem), folder, without_suffix(there));
-    };
-    for (const auto& [file, names] : foreign_includes(side))
-        if (folder_of_path(file) == folder && std::any_of(names.begin(), names.end(), is_header_of)) return true;
-    return false;
+    const auto found = all.find(key_of(folder, without_suffix(last_part(there))));
+    return found != all.end() && std::any_of(found->second.begin(), found->second.end(), [&](const std::string& name) {
+               return may_mean(without_suffix(name), folder, without_suffix(there));
+           });
 }
 
 }  // namespace porttool

@@ -30,13 +30,17 @@ public:
     bool folder_includes(Side side, std::string_view path, std::string_view there);
 
 private:
-    /// What files of one side include that they do not have beside them, by their paths.
+    /// What files include that they do not have beside them, by a file or folder and the last part of the name.
     using Includes = std::map<std::string, std::vector<std::string>, std::less<>>;
+    struct Foreign {
+        Includes by_file;    ///< the last part as it is
+        Includes by_folder;  ///< ... without its suffix
+    };
 
-    const Includes& foreign_includes(Side side);
+    const Foreign& foreign_includes(Side side);
 
     const Case& facts_;
-    BySide<std::optional<Includes>> includes_;  ///< filled when first asked
+    BySide<std::optional<Foreign>> foreign_;  ///< filled when first asked
 };
 
 }  // namespace porttool

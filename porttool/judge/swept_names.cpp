@@ -13,7 +13,8 @@
 namespace porttool {
 namespace {
 
-constexpr size_t kSeveral = 2;  ///< units that were edited by nothing else
+constexpr size_t kSeveral = 2;     ///< units that were edited by nothing else
+constexpr size_t kMostNames = 64;  ///< of a side: each is looked for in all of its files
 
 /// The words that took the place of others, each with its own, where that is all that happened; else nothing.
 std::set<std::pair<std::string, std::string>> exchanged_names(const Words& before, const Words& now) {
@@ -73,10 +74,10 @@ bool SweptNames::are_all(Side side, const Words& before, const Words& now) {
 }
 
 bool SweptNames::is_swept(Side side, const Name& name) {
+    if (times_alone(side, name) < kSeveral) return false;
+    if (known_[side].size() >= kMostNames && !known_[side].contains(name)) return false;
     const auto [known, is_first] = known_[side].try_emplace(name, false);
-    if (is_first)
-        known->second = times_alone(side, name) >= kSeveral && is_gone(side, name.first) &&
-                        is_type(side, name.second) && is_new(side, name.second);
+    if (is_first) known->second = is_gone(side, name.first) && is_type(side, name.second) && is_new(side, name.second);
     return known->second;
 }
 
