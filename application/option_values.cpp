@@ -106,6 +106,8 @@ Result<uint64_t> parse_mebibytes(std::string_view text) {
 Result<CameraChoice> parse_camera(std::string_view text) {
     CameraChoice choice;
     if (text.empty()) return Status::invalid("is empty; give a JSON file or the number of a camera of the scene");
+    if (text.front() == '-' && is_digits(text.substr(1)))
+        return Status::invalid(fmt::format("'{}': cameras of the scene are counted from 0", text));
     if (!is_digits(text)) {
         choice.file = text;
         return choice;
@@ -177,7 +179,8 @@ Result<double> parse_duration(std::string_view text) {
     const auto number = number_from<double>(digits);
     constexpr double YEAR = 3600.0 * 24.0 * 366.0;
     if (number && *number > 0.0 && *number * unit <= YEAR) return *number * unit;
-    return Status::invalid(fmt::format("'{}' is no duration; give one above 0 and of a year at most, such as 90s, 5m or 2h", text));
+    return Status::invalid(
+        fmt::format("'{}' is no duration; give one above 0 and of a year at most, such as 90s, 5m or 2h", text));
 }
 
 Result<double> parse_noise(std::string_view text) {

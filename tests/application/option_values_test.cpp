@@ -67,6 +67,9 @@ TEST(OptionValues, ACameraIsAnIndexOrAFile) {
     EXPECT_FALSE(parse_camera("camera.json")->index.has_value());
     EXPECT_FALSE(parse_camera("").ok());
     EXPECT_FALSE(parse_camera("99999999999").ok());
+    EXPECT_THAT(parse_camera("-1").status.message, HasSubstr("counted from 0"));
+    EXPECT_EQ(parse_camera("./-1")->file, "./-1");
+    EXPECT_EQ(parse_camera("-1.json")->file, "-1.json");
 }
 
 TEST(OptionValues, ASkyIsARadianceOrAFile) {
