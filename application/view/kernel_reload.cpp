@@ -29,10 +29,11 @@ void KernelReload::run() {
         const FolderWatch::Saved saved = watch_.wait();
         if (saved.names.empty()) return;
         for (size_t i = 0; i < workers_.size(); ++i) {
-            KernelNews news{i, {saved.names.begin(), saved.names.end()}, {}, "", saved.at};
+            KernelNews news{i, {saved.names.begin(), saved.names.end()}, {}, "", true, saved.at};
             auto compiled = workers_[i]->compile_again();
             const bool has_failed = !workers_[i]->status().ok();
             if (!compiled && !has_failed) continue;  // it has none, or reads them when it starts
+            news.is_tried = compiled.has_value();
             if (compiled && compiled->ok()) news.done = std::move(**compiled);
             if (compiled && !compiled->ok()) news.error = explain(compiled->status);
             const std::lock_guard lock(mutex_);

@@ -20,6 +20,7 @@ struct KernelNews {
     std::vector<std::string> files;  ///< that were saved
     render_system::RecompiledKernels done;
     std::string error;                               ///< why nothing new runs; empty where it does
+    bool is_tried = true;                            ///< false: they are read and compiled once the core opens
     std::chrono::steady_clock::time_point saved_at;  ///< when that was noticed
 };
 

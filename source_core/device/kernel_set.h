@@ -63,6 +63,7 @@ public:
     /// Both in one.
     Status add(const Device& device, const std::map<std::string, std::string>& files, Kernel kernel);
 
+    const KernelVariant& variant() const { return variant_; }
     /// Whether it has been compiled: those that only a filter runs are when one is asked for.
     bool has(Kernel kernel) const { return static_cast<bool>(pipelines_[static_cast<uint32_t>(kernel)]); }
 

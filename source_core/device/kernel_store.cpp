@@ -13,6 +13,7 @@ using render_system::RecompiledKernels;
 
 Result<KernelStore::Found> KernelStore::find(const Device& device, const KernelVariant& variant) {
     const std::lock_guard lock(mutex_);
+    asked_ = variant;
     if (fresh_) {
         take_fresh();
         renewed_ = true;
@@ -46,6 +47,9 @@ Status KernelStore::add_filter(const Device& device, bool with_history) {
 void KernelStore::take_fresh() {
     files_ = std::move(fresh_->files);
     std::erase_if(sets_, [&](const auto& entry) { return entry.second != fresh_->set; });
+    if (fresh_->is_whole) {
+        sets_.emplace(fresh_->set->variant(), fresh_->set);
+    }
     for (auto& [kernel, pipeline] : fresh_->pipelines) {
         fresh_->set->replace(kernel, std::move(pipeline));
     }
@@ -56,10 +60,12 @@ Result<RecompiledKernels> KernelStore::compile_again(const Device& device) {
     const auto start = std::chrono::steady_clock::now();
     Fresh fresh;
     Files before;
+    std::optional<KernelVariant> failed;  // all of them are compiled for it: none ever were
     {
         const std::lock_guard lock(mutex_);
         before = files_;
         fresh.set = in_use_;
+        failed = in_use_ ? std::nullopt : asked_;
     }
     Result<Files> now = read_kernel_files(directory_);
     if (!now.ok()) {
@@ -68,8 +74,20 @@ Result<RecompiledKernels> KernelStore::compile_again(const Device& device) {
     fresh.files = std::move(*now);
     RecompiledKernels done;
     bool edited = false;
+    if (failed) {
+        Result<KernelSet> made = KernelSet::create(device, fresh.files, *failed);
+        if (!made.ok()) {
+            return made.status;
+        }
+        fresh.set = std::make_shared<KernelSet>(std::move(*made));
+        fresh.is_whole = edited = true;
+    }
     for (uint32_t i = 0; i < KERNEL_COUNT; ++i) {
         const auto kernel = static_cast<Kernel>(i);
+        if (fresh.is_whole && fresh.set->has(kernel)) {
+            done.kernels.emplace_back(kernel_name(kernel));
+            continue;
+        }
         if (texts_of_kernel(before, kernel) == texts_of_kernel(fresh.files, kernel)) {
             continue;
         }

@@ -45,7 +45,8 @@ private:
     /// What compile_again made and find has not taken yet.
     struct Fresh {
         Files files;
-        std::shared_ptr<KernelSet> set;  // whose layout the pipelines have; none while nothing was compiled
+        std::shared_ptr<KernelSet> set;  // whose layout the pipelines have; none while nothing was asked for
+        bool is_whole = false;           // it is the first one that compiled
         std::vector<std::pair<Kernel, Handle<VkPipeline>>> pipelines;
     };
     void take_fresh();
@@ -54,6 +55,7 @@ private:
     mutable std::mutex mutex_;
     Files files_;  // guarded by the mutex, as are those that follow
     std::map<KernelVariant, std::shared_ptr<KernelSet>> sets_;
+    std::optional<KernelVariant> asked_;  // of find, the last time
     std::shared_ptr<KernelSet> in_use_;
     std::optional<Fresh> fresh_;
     bool renewed_ = false;  // since find last answered

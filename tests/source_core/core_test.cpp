@@ -290,6 +290,36 @@ TEST(SourceCore, AnEditedKernelRunsFromTheNextRenderOnAndABrokenOneDoesNot) {
     EXPECT_EQ(hot->compile_again().status.code, StatusCode::wrong_order);
 }
 
+TEST(SourceCore, KernelsThatNeverCompiledAreCompiledAtTheNextSaveAndNotOnlyWhenTheyAreToRun) {
+    TemporaryFolder folder;
+    folder.write_kernels();
+    std::ifstream file(folder.path() / "finalize.glsl");
+    const std::string finalize{std::istreambuf_iterator<char>(file), {}};
+    const std::string broken = finalize + "\nfloat broken = nonsense;\n";
+    folder.write("finalize.glsl", broken);
+    source_core::SourceOptions options;
+    options.kernels_directory = folder.path();
+    OPEN_CORE_OR_SKIP(core, options);
+    auto* hot = dynamic_cast<HotKernels*>(core.get());
+    ASSERT_NE(hot, nullptr);
+    std::vector<glm::vec4> pixels(4);
+    ASSERT_TRUE(core->SetSkyData({}).ok() && core->SetTarget({2, 2, pixels}).ok());
+    EXPECT_EQ(core->Render(front_view(), Convergence::Restart, 1).code, StatusCode::internal);
+    for (const std::string& text : {broken, "// edited\n" + broken}) {
+        folder.write("finalize.glsl", text);
+        const Result<RecompiledKernels> again = hot->compile_again();
+        EXPECT_EQ(again.status.code, StatusCode::internal) << again.status.message;
+        EXPECT_NE(again.status.message.find("nonsense"), std::string::npos) << again.status.message;
+    }
+    folder.write("finalize.glsl", finalize);
+    const Result<RecompiledKernels> whole = hot->compile_again();
+    ASSERT_TRUE(whole.ok()) << whole.status.message;
+    EXPECT_EQ(std::count(whole->kernels.begin(), whole->kernels.end(), "finalize"), 1);
+    EXPECT_EQ(std::count(whole->kernels.begin(), whole->kernels.end(), "shade"), 1);
+    EXPECT_TRUE(core->Render(front_view(), Convergence::Restart, 1).ok());
+    EXPECT_EQ(hot->compile_again()->kernels, std::vector<std::string>());
+}
+
 TEST(SourceCore, AMissingFolderOfKernelsIsNotFound) {
     source_core::SourceOptions options;
     options.kernels_directory = "/nonexistent/kernels";
