@@ -22,11 +22,10 @@ namespace {
 /// Where porttool looks for its map: the folder of the kernels that are being worked on, else the current one.
 std::string watched_folder(const Options& options) { return options.kernels.empty() ? "." : options.kernels; }
 
-/// What the keys P, X and K write, as the window has it.
+/// What the keys P, X and K write.
 std::vector<std::filesystem::path> saved_files(const Options& options) {
     std::vector<std::filesystem::path> files;
-    const std::filesystem::path named = options.output.empty() ? default_picture_name(options.scene) : options.output;
-    for (const char* ending : kSavedEndings) files.push_back(std::filesystem::path(named).replace_extension(ending));
+    for (const char* ending : kSavedEndings) files.push_back(saved_file(options, ending));
     return files;
 }
 
@@ -37,12 +36,22 @@ Status check_scene(const Options& options) {
     return Status::error(StatusCode::not_found, options.scene + ": there is no such file; check the path");
 }
 
-/// The log is emptied only once there is something to see.
-Status check_log(const Options& options) {
-    if (options.log.empty()) return Status::success();
-    Status status = check_writable(options.log);
-    if (!status.ok()) status.message = "--log: " + status.message;
+/// What an option names to be written, if it does. The log is emptied only once there is something to see.
+Status check_place(const char* option, const std::string& file) {
+    if (file.empty()) return Status::success();
+    Status status = check_writable(file);
+    if (!status.ok()) status.message = std::string(option) + ": " + status.message;
     return status;
+}
+
+/// That what --kernels names is no folder of something else: the source core, which reads it, may start much later.
+Status check_kernels(const Options& options) {
+    if (options.kernels.empty()) return Status::success();
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(options.kernels, error))
+        if (entry.path().extension() == ".comp") return Status::success();
+    return Status::error(StatusCode::not_found, "--kernels: there are no kernels (*.comp) in " + options.kernels +
+                                                    "; give a copy of source_core/kernels, or leave it out");
 }
 
 }  // namespace
@@ -58,7 +67,9 @@ ExitCode run_view(const Options& options, Console& console) {
         return fail(console,
                     Status::invalid("--output " + options.output + ": the key P saves a PNG; end it with .png"));
     ViewLog log;
-    if (Status status = check_log(options); !status.ok()) return fail(console, status);
+    if (Status status = check_kernels(options); !status.ok()) return fail(console, status);
+    if (Status status = check_place("--log", options.log); !status.ok()) return fail(console, status);
+    if (Status status = check_place("--output", options.output); !status.ok()) return fail(console, status);
     auto setup = set_up_scene(options, console, output_files(options, saved_files(options)));
     if (!setup.ok()) return fail(console, setup.status);
     if (!options.log.empty())

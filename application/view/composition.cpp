@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "application/view/composition.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace application {
@@ -31,6 +33,12 @@ Channels<uint8_t> composed(const Channels<uint8_t>& first, const Channels<uint8_
         std::copy(right.rgb.begin() + cut, right.rgb.begin() + row + std::ptrdiff_t{3} * width, left.rgb.begin() + cut);
     }
     return left;
+}
+
+std::string coarse_note(uint32_t width, uint32_t height, uint32_t whole_width, uint32_t whole_height) {
+    if (width == whole_width && height == whole_height) return "";
+    return fmt::format(", a coarse first picture of {}x{}; save again once it is drawn at {}x{}", width, height,
+                       whole_width, whole_height);
 }
 
 }  // namespace application

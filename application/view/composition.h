@@ -24,4 +24,7 @@ Channels<uint8_t> resized(const Channels<uint8_t>& picture, uint32_t width, uint
 /// Both pictures as one, in the size of the larger; the second one is not looked at for Show::One.
 Channels<uint8_t> composed(const Channels<uint8_t>& first, const Channels<uint8_t>& second, const Composition& how);
 
+/// What is said of a picture that is saved at another size than was asked for; "" at that size.
+std::string coarse_note(uint32_t width, uint32_t height, uint32_t whole_width, uint32_t whole_height);
+
 }  // namespace application

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "application/view/view_session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,7 @@ namespace application {
 using render_system::CoreAPI;
 using render_system::Result;
 using render_system::Status;
+using render_system::StatusCode;
 
 ViewSession::ViewSession(const Options& options, SceneSetup setup, ViewLog& log)
     : options_(options),
@@ -266,10 +269,11 @@ void ViewSession::note_kernels(const KernelNews& news) {
     const bool has_failed = !problems_[news.core].empty();
     const bool is_as_it_was = news.done.kernels.empty() && !has_failed;
     if (is_as_it_was && !had_error) return;
-    log_.say("reload", {{"core", name},
-                        {"files", news.files},
-                        {"kernels", news.done.kernels},
-                        {"compile_ms", std::round(news.done.compile_ms)}});
+    if (news.is_tried)
+        log_.say("reload", {{"core", name},
+                            {"files", news.files},
+                            {"kernels", news.done.kernels},
+                            {"compile_ms", std::round(news.done.compile_ms)}});
     if (is_as_it_was) return;
     problems_[news.core].clear();
     workers_[news.core]->retry();
@@ -282,7 +286,6 @@ void ViewSession::note_kernels(const KernelNews& news) {
 /// not take the place of one that has, nor an older picture that of a newer one. A hand may ask for more views than are
 /// drawn: it is shown those that are.
 void ViewSession::compose() {
-    const auto has_drawn = [&](size_t core) { return pictures_[core].request > 0; };
     const auto levels = [&](size_t core) {
         return srgb_levels(pictures_[core].picture, options_.exposure, options_.tone_map);
     };
@@ -290,10 +293,17 @@ void ViewSession::compose() {
     if (composition_.show != Show::One && is_playing_ && pictures_[0].request != pictures_[1].request) return;
     if (composition_.show != Show::One && has_drawn(0) && has_drawn(1)) {
         image_ = composed(levels(0), levels(1), composition_);
-    } else if (has_drawn(active_) && (composition_.show != Show::One || pictures_[active_].request >= shown_request_)) {
+        has_shown_ = true;
+    } else if (is_shown_by_front()) {
         image_ = levels(active_);
         shown_request_ = pictures_[active_].request;
+        has_shown_ = true;
     }
+}
+
+/// Or will be: its picture is none that is older than what another core shows.
+bool ViewSession::is_shown_by_front() const {
+    return has_drawn(active_) && (composition_.show != Show::One || pictures_[active_].request >= shown_request_);
 }
 
 std::optional<Picked> ViewSession::pick_at(double x, double y) {
@@ -302,20 +312,32 @@ std::optional<Picked> ViewSession::pick_at(double x, double y) {
     return pick(system_.scene(), *probe_, view, x, y);
 }
 
-Status ViewSession::save_values(const std::string& file) const {
-    const auto bytes = encode_exr(linear_values(pictures_[active_].picture),
-                                  {.samples = static_cast<uint32_t>(pictures_[active_].stats.samples)});
-    return bytes.ok() ? write_file(file, *bytes) : bytes.status;
+Result<std::string> ViewSession::save_values(const std::string& file) const {
+    const CorePicture& front = pictures_[active_];
+    if (!is_shown_by_front())
+        return Status::error(
+            StatusCode::wrong_order,
+            fmt::format("nothing is saved: the {} core has not drawn this view yet", core_name(active_)));
+    const auto bytes =
+        encode_exr(linear_values(front.picture), {.samples = static_cast<uint32_t>(front.stats.samples)});
+    if (!bytes.ok()) return bytes.status;
+    if (Status status = write_file(file, *bytes); !status.ok()) return status;
+    return coarse_note(front.picture.width, front.picture.height, options_.width, options_.height);
 }
 
-Status ViewSession::save_camera(const std::string& file) const {
+Result<std::string> ViewSession::save_camera(const std::string& file) const {
     const auto text = camera_text(camera_.camera(), options_.camera.file);
-    return text.ok() ? write_file(file, *text) : text.status;
+    if (!text.ok()) return text.status;
+    if (Status status = write_file(file, *text); !status.ok()) return status;
+    return std::string();
 }
 
-Status ViewSession::save(const std::string& file) const {
+Result<std::string> ViewSession::save(const std::string& file) const {
+    if (!has_shown_) return Status::error(StatusCode::wrong_order, "nothing is saved: no core has drawn anything yet");
     const auto bytes = encode_png(image_);
-    return bytes.ok() ? write_file(file, *bytes) : bytes.status;
+    if (!bytes.ok()) return bytes.status;
+    if (Status status = write_file(file, *bytes); !status.ok()) return status;
+    return coarse_note(image_.width, image_.height, options_.width, options_.height);
 }
 
 }  // namespace application

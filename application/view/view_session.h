@@ -71,11 +71,12 @@ public:
     /// What stands at a place of the picture, by shares of its sides.
     std::optional<Picked> pick_at(double x, double y);
 
-    /// Each writes a file, and fails as write_file does: the picture that is shown as it is, as PNG; the linear values
-    /// of the core in front, as EXR; the camera, as a file for --camera.
-    render_system::Status save(const std::string& file) const;
-    render_system::Status save_values(const std::string& file) const;
-    render_system::Status save_camera(const std::string& file) const;
+    /// Each writes a file, and answers what is to be said of it beside its name: the picture that is shown as it is, as
+    /// PNG; the linear values of the core in front, as EXR; the camera, as a file for --camera. Fails as write_file
+    /// does, and with wrong_order where nothing is shown or the core in front has not drawn what is.
+    render_system::Result<std::string> save(const std::string& file) const;
+    render_system::Result<std::string> save_values(const std::string& file) const;
+    render_system::Result<std::string> save_camera(const std::string& file) const;
 
     size_t core_count() const { return workers_.size(); }
     size_t active() const { return active_; }
@@ -103,6 +104,8 @@ private:
     void watch_files();
     void begin();
     void compose();
+    bool has_drawn(size_t core) const { return pictures_[core].request > 0; }
+    bool is_shown_by_front() const;
     void note_unfiltered(size_t core);
     bool is_needed(size_t core) const { return core == active_ || composition_.show != Show::One; }
 
@@ -131,6 +134,7 @@ private:
     size_t awaited_ = 0;          ///< the core whose pixels answer it
     bool is_answered_ = false;
     bool is_stale_ = false;  ///< what is shown is to be made anew
+    bool has_shown_ = false;
     std::string kernel_error_;
     std::vector<std::string> module_errors_;
     std::vector<std::unique_ptr<CoreWorker>> workers_;  // they end before what they draw

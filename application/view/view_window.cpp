@@ -26,6 +26,7 @@
 namespace application {
 namespace {
 
+using render_system::Result;
 using render_system::Status;
 using render_system::StatusCode;
 
@@ -320,14 +321,11 @@ private:
         if (session_.seconds() != shown) elapsed_ = 0.0;
     }
 
-    /// Beside the picture that -o names, with an ending of its own.
-    void save(const char* ending, Status (ViewSession::*write)(const std::string&) const) {
-        const std::filesystem::path named =
-            options_.output.empty() ? default_picture_name(options_.scene) : options_.output;
-        const std::string file = std::filesystem::path(named).replace_extension(ending).string();
-        const Status status = (session_.*write)(file);
-        said_ = status.ok() ? "saved " + file : status.message;
-        log_.say(status.ok() ? "input" : "error", {{"kind", "save"}, {"message", said_}});
+    void save(const char* ending, Result<std::string> (ViewSession::*write)(const std::string&) const) {
+        const std::string file = saved_file(options_, ending).string();
+        const Result<std::string> saved = (session_.*write)(file);
+        said_ = saved.ok() ? "saved " + file + *saved : saved.status.message;
+        log_.say(saved.ok() ? "input" : "error", {{"kind", "save"}, {"message", said_}});
     }
 
     void draw_figures() {
@@ -403,6 +401,11 @@ private:
 };
 
 }  // namespace
+
+std::filesystem::path saved_file(const Options& options, const char* ending) {
+    if (!options.output.empty()) return std::filesystem::path(options.output).replace_extension(ending);
+    return std::filesystem::path(options.scene).stem().string() + "_view" + ending;
+}
 
 Status check_display() {
     const auto is_set = [](const char* name) {

@@ -193,6 +193,12 @@ TEST(Composition, ShowsOneBothOrTheirDifference) {
               (std::vector<uint8_t>{10, 10, 10, 90, 90, 90, 20, 0, 150, 80, 100, 50}));
 }
 
+TEST(Composition, TheSizeOfACoarsePictureIsSaid) {
+    EXPECT_EQ(coarse_note(480, 270, 480, 270), "");
+    EXPECT_EQ(coarse_note(480, 270, 3840, 2160),
+              ", a coarse first picture of 480x270; save again once it is drawn at 3840x2160");
+}
+
 /// A project of one pair, and a panel on it. porttool lies beside this program.
 class Drift : public testing::Test {
 protected:
