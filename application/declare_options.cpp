@@ -362,8 +362,8 @@ void declare_view(CLI::App& app, Options& options) {
     declare_scene(app, options);
     add_name(app, "--log", options.log, "Write what happens as JSON lines")->type_name("FILE");
     add_name(app, "-o,--output", options.output,
-             "Where the key P saves the picture, X its values (.exr) and K the camera (.camera.json) (<scene>.png in "
-             "this folder)")
+             "Where the key P saves the picture, X its values (.exr) and K the camera (.camera.json) "
+             "(<scene>_view.png in this folder)")
         ->type_name("FILE.png");
     declare_samples(app, options, "Samples per pixel after which a core rests (4096)");
     declare_filter(app, options, "temporal");
