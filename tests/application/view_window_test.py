@@ -301,6 +301,10 @@ class KernelsTest(Person):
         self.assertEqual(self.wait_for("reload")["detail"]["kernels"], ["finalize"])
         self.wait_for("pixels", lambda detail: detail["core"] == "source")
         self.until(lambda now: brightness(now) < 0.7 * plain)
+        # One that includes itself: an error like others, and the one that runs goes on.
+        (self.kernels / "finalize.glsl").write_text('#include "finalize.glsl"\n' + (self.kernels / "finalize.glsl").read_text())
+        self.assertIn("finalize.glsl:1: '#include'", self.wait_for("error", lambda detail: detail.get("core") == "source")["detail"]["message"])
+        self.until(lambda now: red() > WIDTH / 2 and brightness(now) < 0.7 * plain)
         (self.kernels / "finalize.glsl").unlink()
         self.assertIn("finalize.glsl", self.wait_for("error", lambda detail: detail.get("core") == "source")["detail"]["message"])
         self.until(lambda now: red() > WIDTH / 2 and brightness(now) < 0.7 * plain)
