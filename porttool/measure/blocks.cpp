@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/measure/blocks.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <span>
 #include <utility>
@@ -15,8 +13,9 @@
 namespace porttool {
 namespace {
 
-/// Most patterns times files and units that are tried: some seconds, and far above the blocks of a large map.
-constexpr size_t kMostTries = 50'000'000;
+/// Most patterns times files and units that are tried: some seconds, and far above the blocks of a large map. One that
+/// fits is kept, which takes as long as so many tries, and a hundred bytes.
+constexpr size_t kMostTries = 50'000'000, kTriesToKeep = 64;
 
 bool takes_whole(const Selection& selection, const std::string& path) {
     const auto there = selection.find(path);
@@ -42,6 +41,7 @@ public:
         if (tried_ > kMostTries) return {};
         for (const auto& [text, number] : candidates)
             if (glob.matches(text)) out.insert(number);
+        tried_ += kTriesToKeep * out.size();
         return {out.begin(), out.end()};
     }
 
@@ -153,10 +153,9 @@ Blocks named_blocks(const MapFile& map, const BySide<SideFiles>& files) {
         out.blocks.push_back(std::move(block));
     }
     if (tried > kMostTries)
-        out.error = fmt::format(
-            "portmap.toml: the patterns of its blocks would be tried on more than {} files and "
-            "units; write fewer wildcards, and begin patterns with folders",
-            kMostTries);
+        out.error =
+            "portmap.toml: the patterns of its blocks fit, or would be tried on, too many files and units; write fewer "
+            "wildcards, begin patterns with folders, and let each block take code of its own";
     return out;
 }
 

@@ -354,15 +354,18 @@ std::string index_of_hook(git_repository* repository) {
 TrackedFiles GitRepository::tracked_files(const WantsFile& wants) const {
     TrackedFiles out;
     git_index* index = nullptr;
-    if (!error_.empty()) return {{}, handle_->opened.is_there ? error_.substr(0, error_.find('\n')) : "", false};
+    if (!error_.empty()) return {{}, {}, handle_->opened.is_there ? error_.substr(0, error_.find('\n')) : "", false};
     if (git_repository_index(&index, handle_->repository()) != 0)
-        return {{}, "the index cannot be read: " + git_last_error(), false};
+        return {{}, {}, "the index cannot be read: " + git_last_error(), false};
     const Index owner(index);
     for (size_t i = 0; i < git_index_entrycount(index); ++i) {
-        const std::string_view path = git_index_get_byindex(index, i)->path;
+        const git_index_entry& entry = *git_index_get_byindex(index, i);
+        const std::string_view path = entry.path;
         if (!path.starts_with(folder())) continue;
         std::string below(path.substr(folder().size()));
-        if (wants(below)) out.files.insert(std::move(below));
+        if (!wants(below)) continue;
+        if (entry.mode == GIT_FILEMODE_COMMIT) out.modules.emplace(below, git_oid_tostr_s(&entry.id));
+        out.files.insert(std::move(below));
     }
     out.is_known = git_index_entrycount(index) > 0;
     return out;

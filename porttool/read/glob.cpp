@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "porttool/read/glob_segment.h"
+
 namespace porttool {
 namespace {
 
@@ -103,28 +105,6 @@ std::vector<std::string> expanded(const std::string& pattern) {
 
 bool has_wildcard(std::string_view text) { return text.find_first_of("*?[") != std::string_view::npos; }
 
-/// Matches `[...]` at `at`, which moves past it; false leaves `at` where it was if the class does not close.
-bool class_matches(std::string_view pattern, size_t& at, char c) {
-    size_t i = at + 1;
-    const bool negated = i < pattern.size() && (pattern[i] == '!' || pattern[i] == '^');
-    if (negated) ++i;
-    bool found = false;
-    for (bool first = true; i < pattern.size() && (first || pattern[i] != ']'); first = false, ++i) {
-        if (i + 2 < pattern.size() && pattern[i + 1] == '-' && pattern[i + 2] != ']') {
-            found = found || (pattern[i] <= c && c <= pattern[i + 2]);
-            i += 2;
-        } else {
-            found = found || pattern[i] == c;
-        }
-    }
-    if (i >= pattern.size()) {  // no end: a plain bracket
-        ++at;
-        return c == '[';
-    }
-    at = i + 1;
-    return found != negated;
-}
-
 /// Segments of a pattern against a path's, one after another. Where a `**` may stand for this one or for no more, both
 /// are followed.
 class PatternProgress {
@@ -158,40 +138,6 @@ private:
 };
 
 }  // namespace
-
-bool segment_matches(std::string_view pattern, std::string_view name) {
-    size_t p = 0, n = 0;
-    size_t star = std::string_view::npos, star_name = 0;
-    while (n < name.size()) {
-        bool fits = false;
-        size_t next = p;
-        if (p < pattern.size()) {
-            if (pattern[p] == '*') {
-                star = p++;
-                star_name = n;
-                continue;
-            }
-            if (pattern[p] == '[') {
-                fits = class_matches(pattern, next, name[n]);
-            } else {
-                if (pattern[p] == '\\' && p + 1 < pattern.size()) ++next;
-                fits = (pattern[p] == '?') || pattern[next] == name[n];
-                ++next;
-            }
-        }
-        if (fits) {
-            p = next;
-            ++n;
-        } else if (star != std::string_view::npos) {
-            p = star + 1;
-            n = ++star_name;
-        } else {
-            return false;
-        }
-    }
-    while (p < pattern.size() && pattern[p] == '*') ++p;
-    return p == pattern.size();
-}
 
 bool segments_match(const std::vector<std::string>& pattern, const std::vector<std::string_view>& path) {
     size_t p = 0, n = 0;

@@ -38,9 +38,6 @@ private:
     bool literal_ = false;
 };
 
-/// One segment of a pattern against one name; knows `*`, `?`, `[...]` and escapes. Linear in practice.
-bool segment_matches(std::string_view pattern, std::string_view name);
-
 /// Segments of a pattern against segments of a path; a segment `**` stands for any number.
 bool segments_match(const std::vector<std::string>& pattern, const std::vector<std::string_view>& path);
 

@@ -226,7 +226,7 @@ public:
         const TrackedFiles tracked = asks ? scope_.tracked() : TrackedFiles();
         if (!scope_.tracked || !tracked.is_known) plain.clear();
         std::erase_if(plain,
-                      [&](const std::string& file) { return tracked.files.contains(file) || in_submodule(file); });
+                      [&](const std::string& file) { return tracked.files.contains(file) || is_of_submodule(file); });
         for (const std::string& file : tracked.files)
             for (const SourceGlob& asked : asked_) take_hidden(asked, file);
         const bool bounded = scope_.reach == Reach::Beneath;
@@ -247,10 +247,11 @@ private:
         return out;
     }
 
-    /// True for a file of a work tree within this one, of which this one's index says nothing.
-    bool in_submodule(const std::string& path) const {
+    /// True for a file of a work tree within this one, of which this one's index says nothing, that git tracks there.
+    bool is_of_submodule(const std::string& path) const {
         for (size_t end = path.find('/'); end != std::string::npos; end = path.find('/', end + 1))
-            if (disk_.exists(join_path(root_, path.substr(0, end) + "/.git"))) return true;
+            if (disk_.exists(join_path(root_, path.substr(0, end) + "/.git")))
+                return untracked_reason(root_, path).empty();
         return false;
     }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -50,6 +51,7 @@ enum class Reach : uint8_t { Beneath, Anywhere };
 /// Files that git tracks, or why that cannot be told.
 struct TrackedFiles {
     std::set<std::string> files = {};
+    std::map<std::string, std::string> modules = {};  ///< submodules among these, and the commit of each
     std::string error = {};
     bool is_known = true;  ///< false outside of git as well, and where nothing was ever added
 };

@@ -33,6 +33,7 @@ private:
         std::string file;
         IndexStamp stamp = {};
         TrackedFiles tracked = {};
+        std::string head = {};
     };
 
     static IndexStamp stamp_of(const std::string& file) {
@@ -50,18 +51,21 @@ private:
         index.file = git.index_file();
         index.stamp = stamp_of(index.file);
         index.tracked = git.tracked_files([](const std::string&) { return true; });
+        if (const auto head = git.commit("HEAD")) index.head = head->id;
         return index;
     }
 
-    /// What a submodule holds is in an index of its own.
+    /// What a submodule holds is in an index of its own. That speaks for it where the work tree has the commit that the
+    /// index around it names: any folder that CI lays beside the sources may have been given the name of a submodule.
     bool is_in(const Index& index, const std::string& root, const std::string& path) {
-        const std::set<std::string>& files = index.tracked.files;
-        if (!index.tracked.is_known || files.contains(path)) return true;
+        const TrackedFiles& tracked = index.tracked;
+        if (!tracked.is_known || tracked.files.contains(path)) return true;
         for (size_t end = path.find('/'); end != std::string::npos; end = path.find('/', end + 1)) {
-            const std::string module = path.substr(0, end);
-            if (!files.contains(module)) continue;
-            const std::string inner = join_path(root, module);
-            return is_in(index_of(inner), inner, path.substr(end + 1));
+            const auto module = tracked.modules.find(path.substr(0, end));
+            if (module == tracked.modules.end()) continue;
+            const std::string inner = join_path(root, module->first);
+            const Index& own = index_of(inner);
+            return own.tracked.is_known && own.head == module->second && is_in(own, inner, path.substr(end + 1));
         }
         return false;
     }

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <string_view>
+
 #include "porttool/read/id_patterns.h"
 #include "porttool/read/ignore_rules.h"
 
@@ -87,6 +91,56 @@ TEST(Glob, HostilePatternsEnd) {
     EXPECT_FALSE(matches("*a*a*a*a*a*a*a*a*a*a*a*b", std::string(300, 'a').c_str()));
     EXPECT_FALSE(matches("**/**/**/**/**/**/b", "a/a/a/a/a/a/a/a/a/a/a/a/a/a/a/a"));
     EXPECT_TRUE(matches("{a,b}{a,b}{a,b}{a,b}{a,b}{a,b}", "ababab"));
+}
+
+/// The definition: whether the rest of a pattern fits the rest of a name, for all pairs of rests, the shortest first.
+bool matches_by_definition(const std::vector<std::string>& pattern, const std::string& name) {
+    std::vector<std::vector<bool>> fits(pattern.size() + 1, std::vector<bool>(name.size() + 1));
+    fits[pattern.size()][name.size()] = true;
+    for (size_t p = pattern.size(); p-- > 0;)
+        for (size_t n = name.size() + 1; n-- > 0;) {
+            const bool more = n < name.size();
+            if (pattern[p] == "*")
+                fits[p][n] = fits[p + 1][n] || (more && fits[p][n + 1]);
+            else
+                fits[p][n] =
+                    more && fits[p + 1][n + 1] && (pattern[p] == "?" || pattern[p].find(name[n]) != std::string::npos);
+        }
+    return fits[0][0];
+}
+
+TEST(Glob, GoesBackAgainAndAgainAsItIsDefined) {
+    std::minstd_rand random(1);
+    const std::vector<std::string> pieces = {"a", "b", "?", "*", "[ab]", "a"};
+    int matched = 0;
+    for (int i = 0; i < 3000; ++i) {
+        std::vector<std::string> pattern = {"*"};
+        for (size_t k = random() % 12; k > 0; --k) pattern.push_back(pieces[random() % pieces.size()]);
+        if (i % 2 == 0) {  // goes on in the second word of places
+            pattern.push_back("*");
+            pattern.insert(pattern.end(), 70, "a");
+            pattern.push_back("b");
+        }
+        std::string text, name;
+        for (const std::string& piece : pattern) text += piece;
+        for (size_t k = random() % 20; k > 0; --k) name += random() % 4 == 0 ? 'b' : 'a';
+        name += std::string(i % 2 == 0 ? 150 + random() % 2 : 10, 'a') + (random() % 3 == 0 ? "" : "b");
+        const bool wanted = matches_by_definition(pattern, name);
+        matched += wanted ? 1 : 0;
+        EXPECT_EQ(matches(text.c_str(), name.c_str()), wanted) << text << " " << name;
+    }
+    EXPECT_GT(matched, 500);
+    EXPECT_LT(matched, 2500);
+}
+
+TEST(Glob, LongNamesAndPatternsWithoutAnEndAreLinear) {
+    // 20,000 of them take a second and less; letter by letter they took 20 s and more.
+    const std::string name = "src/" + std::string(900, 'a') + "0123.cpp",
+                      pattern = "src/*" + std::string(450, 'a') + "b*";
+    const Glob glob(pattern);
+    for (int i = 0; i < 20'000; ++i) ASSERT_FALSE(glob.matches(name));
+    EXPECT_TRUE(glob.matches(name + std::string(450, 'a') + "b"));
+    EXPECT_TRUE(matches(std::string(30'000, '[').c_str(), std::string(30'000, '[').c_str()));
 }
 
 TEST(Glob, MoreThanCanBeTriedIsRefused) {

@@ -997,6 +997,20 @@ TEST_F(HostileChange, WhatGitDoesNotTrackIsReadOnlyWhereItsNameIsThatOfASource) 
          },
          true},
         {"a file of a submodule", [&] { write("portmap.toml", with("sub/notes.txt", "sub/notes.txt")); }, true},
+        {"a file that no commit of a submodule has", [&] { write("portmap.toml", with("sub/.env", "sub/.env")); },
+         false},
+        {"another checkout, given the name of a submodule",
+         [&] {
+             link("../meta/config", "src/k.cu");
+             git("update-index --add --cacheinfo 160000,$(git rev-parse HEAD),meta");
+         },
+         false},
+        {"a submodule that is at another commit",
+         [&] {
+             link("../sub/notes.txt", "src/k.cu");
+             git("update-index --cacheinfo 160000,$(git rev-parse HEAD),sub && git commit -qm other");
+         },
+         false, true},
         {"a new source", [&] { write("src/new.cu", kSource); }, true, true},
         {"a link to a new source",
          [&] {
@@ -1016,6 +1030,7 @@ TEST_F(HostileChange, WhatGitDoesNotTrackIsReadOnlyWhereItsNameIsThatOfASource) 
         row.change();
         if (!row.is_local) git("add -A && git commit -qm change");
         write(".env", "API_KEY=" + kSecret + "\nfloat " + kSecret + "(float x) { return x; }\n");
+        write("sub/.env", kSecret + "\n");
         write("meta/config", kSecret + "\n");
         bool told = false;
         for (const std::vector<std::string>& command : {std::vector<std::string>{"check", "--format", "json"},

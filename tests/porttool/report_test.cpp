@@ -250,6 +250,9 @@ TEST(Report, ManyBlocksAreLookedUpAndNotTried) {
     const CommandRun more = report_of([](size_t i) { return "a.cpp:f" + std::to_string(i) + "*"; });
     ASSERT_EQ(more.exit_code, 0) << more.err;
     EXPECT_EQ(json::parse(more.out)["blocks"][299]["source_lines"], 3 * 11) << "f299 and f2990 to f2999";
+    const CommandRun all = report_of([](size_t) { return std::string("a.cpp:*"); });
+    EXPECT_EQ(all.exit_code, 2);
+    EXPECT_NE(all.err.find("let each block take code of its own"), std::string::npos) << all.err;
     const CommandRun again = report_of([](size_t) { return std::string("a.cpp"); });
     EXPECT_EQ(again.exit_code, 2);
     EXPECT_NE(again.err.find("take the same code again and again"), std::string::npos) << again.err;
