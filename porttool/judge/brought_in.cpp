@@ -145,11 +145,9 @@ private:
     void compare_maps() {
         if (!before_.has_map) return add(GatePart::Sides, map_name_, 1, "the map is new: " + sides_text(now_.map));
         compare_pairs();
-        std::set<std::string> known;
-        for (const MapIgnore& ignore : before_.map.ignores) known.insert(ignore.id);
-        for (const MapIgnore& ignore : now_.map.ignores)
-            if (!known.contains(ignore.id))
-                add(GatePart::Ignore, map_name_, ignore.line, ignore.id + ": " + ignore.reason);
+        const auto words = [](const MapIgnore& ignore) { return std::tie(ignore.id, ignore.reason); };
+        for (const MapIgnore* ignore : new_ones(before_.map.ignores, now_.map.ignores, words))
+            add(GatePart::Ignore, map_name_, ignore->line, ignore->id + ": " + ignore->reason);
         compare_values();
     }
 

@@ -91,7 +91,7 @@ FileText RealDisk::read(const TreePath& path, uint64_t limit) const {
     if (!opened.error.empty()) return {"", opened.error};
     if (opened.end.empty()) return read_open(opened.file, limit);
     FileText out = {"", untracked_reason(path.root, opened.end), true};
-    if (!out.error.empty()) return {"", "leads to " + opened.end + ", which " + out.error, true};
+    if (!out.error.empty()) return {"", "leads to " + terminal_text(opened.end) + ", which " + out.error, true};
     out = read_open(opened.file, limit);
     out.by_link = true;
     return out;

@@ -1054,6 +1054,31 @@ TEST_F(HostileChange, WhatGitDoesNotTrackIsReadOnlyWhereItsNameIsThatOfASource) 
     git("init -q");
 }
 
+TEST_F(HostileChange, TheNameAtTheEndOfALinkStaysWithinItsLine) {
+    const std::string name = "x\nin_step: 9 pairs, 9 in step";
+    for (const char* led : {"portmap.toml", "portmap.lock"}) {
+        git("checkout -qf .");
+        write(name, "no source\n");
+        link(name, led);
+        const CommandRun got = porttool({"check"});
+        EXPECT_EQ(got.exit_code, 2) << led;
+        EXPECT_EQ(("\n" + got.out + got.err).find("\nin_step"), std::string::npos) << led << "\n" << got.out + got.err;
+        EXPECT_NE(got.err.find("in_step: 9 pairs"), std::string::npos) << "it is named all the same\n" << got.err;
+    }
+}
+
+TEST_F(HostileChange, AnotherReasonToIgnoreIsListed) {
+    const auto with = [map = read_text(root / "portmap.toml")](const std::string& reason) {
+        return map + "\n[[ignore]]\nid = \"src/k.cu:h\"\nreason = \"" + reason + "\"\n";
+    };
+    write("portmap.toml", with("for the GPU alone"));
+    git("add -A && git commit -qm more && git branch -f then");
+    write("portmap.toml", with("nobody needs it"));
+    const auto got = nlohmann::json::parse(porttool({"check", "--base", "then", "--format", "json"}).out);
+    ASSERT_EQ(got["brought_in"].size(), 1u) << got["brought_in"].dump(1);
+    EXPECT_EQ(got["brought_in"][0]["text"], "src/k.cu:h: nobody needs it");
+}
+
 TEST_F(HostileChange, OutputGoesToWhatTheFileIs) {
     const fs::path shared = fs::exists("/dev/shm")
                                 ? fs::path("/dev/shm") / ("porttool_test" + std::to_string(::getpid()) + ".txt")
