@@ -27,11 +27,12 @@ using std::filesystem::path;
 std::array<char, 4096> unfinished_name{};
 std::atomic<bool> unfinished{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
-std::array<char, 4096> made_folder{};
+// The folders that were made, inner ones first, each with its null, and one more null behind the last.
+std::array<char, 16384> made_folders{};
 
-/// If it is empty. For signal handlers, too.
-void remove_made_folder() {
-    if (made_folder[0] != '\0') rmdir(made_folder.data());
+/// Those that are empty. For signal handlers, too.
+void remove_empty_folders() {
+    for (const char* name = made_folders.data(); *name != '\0'; name += std::strlen(name) + 1) rmdir(name);
 }
 
 Status cannot_write(const path& file, const std::string& reason) {
@@ -210,29 +211,26 @@ Result<int> open_emptied(const path& file) {
 FolderToFill::FolderToFill(const path& folder) {
     if (folder.empty()) return;
     std::error_code error;
-    const path place = folder.has_filename() ? folder : folder.parent_path();  // not `a/`, whose parent is `a`
-    const path above = place.parent_path();
-    if (!above.empty() && !std::filesystem::exists(above, error)) {
-        status_ = cannot_write(folder, fmt::format("there is no folder {}", above.string()));
-        return;
-    }
-    const std::string name = place.string();
-    if (!std::filesystem::exists(place, error) && name.size() < made_folder.size())
-        std::copy(name.begin(), name.end(), made_folder.begin());
-    std::filesystem::create_directory(place, error);
+    std::string missing;
+    // Not `a/`, whose parent is `a`.
+    for (path part = folder.has_filename() ? folder : folder.parent_path();
+         !part.empty() && !std::filesystem::exists(part, error); part = part.parent_path())
+        missing += part.string() + '\0';
+    if (missing.size() + 1 < made_folders.size()) std::copy(missing.begin(), missing.end(), made_folders.begin());
+    std::filesystem::create_directories(folder, error);
     status_ = error ? Status::invalid(fmt::format("cannot make the folder {}: {}; give another place to write to",
                                                   folder.string(), error.message()))
                     : check_writable(folder / "source.png");
 }
 
 FolderToFill::~FolderToFill() {
-    remove_made_folder();
-    made_folder.fill('\0');
+    remove_empty_folders();
+    made_folders.fill('\0');
 }
 
 void remove_unfinished_file_and_end(int signal_number) {
     if (unfinished.load()) unlink(unfinished_name.data());
-    remove_made_folder();
+    remove_empty_folders();
     signal(signal_number, SIG_DFL);
     raise(signal_number);
 }

@@ -28,8 +28,8 @@ render_system::Status write_file_durably(const std::filesystem::path& file, std:
 /// A descriptor of `file`, emptied, for what is to be read while it grows: a log. Fails as check_writable does.
 render_system::Result<int> open_emptied(const std::filesystem::path& file);
 
-/// A folder for what a run writes, made before its work where it is not there. What was made goes with this object, or
-/// on a signal, where nothing lies in it. One at a time.
+/// A folder for what a run writes, made before its work with all above it that is not there. What was made goes with
+/// this object, or on a signal, where nothing lies in it. One at a time.
 class FolderToFill {
 public:
     /// An empty name is no folder.
@@ -38,8 +38,7 @@ public:
     FolderToFill(const FolderToFill&) = delete;
     FolderToFill& operator=(const FolderToFill&) = delete;
 
-    /// Fails with invalid_argument where it cannot be made, as where what it is to lie in is not there, or takes no
-    /// files.
+    /// Fails with invalid_argument where it cannot be made or takes no files.
     const render_system::Status& status() const { return status_; }
 
 private:
