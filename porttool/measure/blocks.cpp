@@ -22,7 +22,7 @@ bool takes_whole(const Selection& selection, const std::string& path) {
     return there != selection.end() && there->second.empty();
 }
 
-/// Sorted texts; finds those that a pattern may match without trying all where it begins with plain folders.
+/// Sorted texts; finds those that a pattern may match without trying all where its beginning is plain.
 class Matcher {
 public:
     explicit Matcher(size_t& tried) : tried_(tried) {}
@@ -36,7 +36,7 @@ public:
         std::set<size_t> out;
         for (const auto& [text, number] : beginning_with(glob.text()))
             if (text == glob.text()) out.insert(number);
-        const auto candidates = beginning_with(plain_start(glob.text()));
+        const auto candidates = beginning_with(glob.start());
         tried_ += candidates.size();
         if (tried_ > kMostTries) return {};
         for (const auto& [text, number] : candidates)
@@ -46,14 +46,6 @@ public:
     }
 
 private:
-    /// How everything that a pattern matches begins.
-    static std::string plain_start(const std::string& pattern) {
-        const std::string start = pattern.substr(0, pattern.find_first_of("*?[{\\"));
-        return start.starts_with('.') || start.find("//") != std::string::npos || start.find("/.") != std::string::npos
-                   ? std::string()  // it is another one by its text
-                   : start;
-    }
-
     using Numbered = std::pair<std::string, size_t>;
 
     std::span<const Numbered> beginning_with(const std::string& start) const {

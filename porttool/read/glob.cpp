@@ -209,6 +209,15 @@ bool Glob::may_match_below(std::string_view folder) const {
     });
 }
 
+std::string Glob::start() const {
+    std::string start = text_.substr(0, text_.find_first_of("*?[{\\"));
+    const bool is_written_otherwise = start.starts_with('.') || start.starts_with('/') ||
+                                      start.find("/.") != std::string::npos || start.find("//") != std::string::npos;
+    if (is_written_otherwise) return {};
+    if (start.ends_with('/')) start.pop_back();
+    return start;
+}
+
 std::vector<std::string> Glob::roots() const {
     std::vector<std::string> roots;
     for (const auto& alternative : alternatives_) {

@@ -26,6 +26,8 @@ public:
     bool may_match_below(std::string_view folder) const;
     /// The folders that hold every match, as far as they are spelled out: "src" for `src/*.cl`.
     std::vector<std::string> roots() const;
+    /// What every path that matches begins with, as far as it stands before the first wildcard.
+    std::string start() const;
     /// True if the pattern has no wildcard and is one path.
     bool literal() const { return literal_; }
     const std::string& text() const { return text_; }

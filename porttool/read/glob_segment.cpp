@@ -36,6 +36,14 @@ bool class_matches(std::string_view pattern, size_t& at, char c) {
     return found != negated;
 }
 
+/// Matches one place of a pattern that takes one character, at `at`, which moves past it.
+bool place_matches(std::string_view pattern, size_t& at, char c) {
+    if (pattern[at] == '[') return class_matches(pattern, at, c);
+    const bool is_any = pattern[at] == '?';
+    if (pattern[at] == '\\' && at + 1 < pattern.size()) ++at;
+    return pattern[at++] == c || is_any;
+}
+
 /// All places of a pattern that a beginning of a name may have come to, one bit for each (Baeza-Yates and Gonnet 1992,
 /// "A new approach to text searching"): nothing is walked twice, whatever stands behind the stars.
 class SegmentStates {
@@ -50,7 +58,7 @@ public:
                 continue;
             }
             starts_.push_back(at);
-            at = after(at);
+            place_matches(pattern, at, '\0');
             ++place;
         }
         words_ = place / kBits + 1;
@@ -79,28 +87,15 @@ private:
 
     static void set(Places& places, size_t place) { places[place / kBits] |= uint64_t{1} << place % kBits; }
 
-    /// Where the place behind that at `at` begins.
-    size_t after(size_t at) const {
-        if (pattern_[at] == '[') {
-            class_matches(pattern_, at, '\0');
-            return at;
-        }
-        return at + (pattern_[at] == '\\' && at + 1 < pattern_.size() ? 2 : 1);
-    }
-
-    bool takes(size_t at, char c) const {
-        if (pattern_[at] == '[') return class_matches(pattern_, at, c);
-        if (pattern_[at] == '?') return true;
-        return pattern_[pattern_[at] == '\\' && at + 1 < pattern_.size() ? at + 1 : at] == c;
-    }
-
     /// The places that a character may go on from.
     const Places& places_of(char c) {
         std::optional<Places>& known = places_[static_cast<unsigned char>(c)];
         if (!known) {
             known.emplace(words_);
-            for (size_t place = 0; place < starts_.size(); ++place)
-                if (takes(starts_[place], c)) set(*known, place);
+            for (size_t place = 0; place < starts_.size(); ++place) {
+                size_t at = starts_[place];
+                if (place_matches(pattern_, at, c)) set(*known, place);
+            }
         }
         return *known;
     }
@@ -117,7 +112,7 @@ private:
 bool segment_matches(std::string_view pattern, std::string_view name) {
     size_t p = 0, n = 0, steps = 0;
     size_t star = std::string_view::npos, star_name = 0;
-    const size_t most_steps = kWorthStates + 2 * (pattern.size() + name.size());
+    const size_t most_steps = kWorthStates + 4 * (pattern.size() + name.size());
     while (n < name.size()) {
         if (++steps > most_steps) return SegmentStates(pattern).match(name);
         bool fits = false;
@@ -128,14 +123,8 @@ bool segment_matches(std::string_view pattern, std::string_view name) {
                 star_name = n;
                 continue;
             }
-            if (pattern[p] == '[') {
-                fits = class_matches(pattern, next, name[n]);
-                steps += next - p;
-            } else {
-                if (pattern[p] == '\\' && p + 1 < pattern.size()) ++next;
-                fits = (pattern[p] == '?') || pattern[next] == name[n];
-                ++next;
-            }
+            fits = place_matches(pattern, next, name[n]);
+            steps += next - p;
         }
         if (fits) {
             p = next;

@@ -9,16 +9,6 @@ namespace {
 
 constexpr size_t kMostTries = 50'000'000, kMostTogether = 200'000, kLongestStart = 64;
 
-/// What every id that the pattern matches begins with.
-std::string start_of(const std::string& pattern) {
-    if (pattern.starts_with("./") || pattern.find("/./") != std::string::npos ||
-        pattern.find("//") != std::string::npos)
-        return "";
-    std::string start = pattern.substr(0, std::min(pattern.find_first_of("*?[{\\"), kLongestStart));
-    if (start.ends_with('/')) start.pop_back();
-    return start == "." ? "" : start;
-}
-
 }  // namespace
 
 IdPatterns::IdPatterns(const std::vector<std::string>& patterns) {
@@ -29,7 +19,7 @@ IdPatterns::IdPatterns(const std::vector<std::string>& patterns) {
         if (together > kMostTogether)
             throw GlobTooLarge("portmap.toml: its [[ignore]]s stand for more than " + std::to_string(kMostTogether) +
                                " patterns with their braces written out; write fewer braces");
-        const std::string start = start_of(patterns[i]);
+        const std::string start = globs_.back().start().substr(0, kLongestStart);
         by_start_[start].push_back(i);
         lengths_.insert(start.size());
     }
