@@ -49,6 +49,8 @@ struct Case {
     const std::set<std::pair<std::string, std::string>>* gone_before = nullptr;
     BySide<const std::map<std::string, UnitState>*> at_base = {};  ///< with a merge base: the units there
     const BySide<NewWords>* new_words = nullptr;  ///< ... and what is said of words since, outside of units
+
+    const std::map<std::string, UnitState>& units(Side side) const { return side == Side::Source ? source : target; }
 };
 
 /// Holds today's units against the lock. Reads nothing but the case.

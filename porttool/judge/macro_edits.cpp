@@ -286,7 +286,7 @@ bool MacroEdits::is_told_elsewhere(Side side, const WordMacro& declared) {
     if (is_type) return facts_.at_base[side] != nullptr;
     if (!declaring_[side]) {
         auto& units = declaring_[side].emplace();
-        for (const auto& [id, unit] : side == Side::Source ? facts_.source : facts_.target)
+        for (const auto& [id, unit] : facts_.units(side))
             if (unit.kind == UnitKind::Constant || unit.kind == UnitKind::Struct) units.emplace(unit.file, &unit);
         for (const MapPair& pair : facts_.map.pairs) {
             if (side == Side::Source) watched_.source.insert(pair.source);

@@ -195,13 +195,13 @@ const NewNames::Fresh& NewNames::fresh(Side side) {
 void NewNames::add_units(Side side, Fresh& out) const {
     const std::map<std::string, UnitState>& then = *facts_.at_base[side];
     std::vector<const UnitState*> fresh;
-    for (const auto& [id, unit] : units(side)) {
+    for (const auto& [id, unit] : facts_.units(side)) {
         if (is_macro(unit)) continue;
         const auto known = then.find(id);  // an overload before others takes the first number
         if (known == then.end() || known->second.prints.written != unit.prints.written) fresh.push_back(&unit);
     }
     if (fresh.empty()) return;
-    const Signatures before(then), now(units(side));
+    const Signatures before(then), now(facts_.units(side));
     for (const UnitState* unit : fresh) {
         const Signature own = signature_of(*unit);
         const std::vector<Signature>& old = before.of(own.leaf);
@@ -254,7 +254,7 @@ void NewNames::add_words(Side side, Fresh& out) const {
     std::unordered_set<std::string_view> had, has;  // what units are called
     std::unordered_set<std::string> places;
     for (const auto& [id, unit] : *facts_.at_base[side]) had.insert(bare_leaf_of(unit.name));
-    for (const auto& [id, unit] : units(side)) {
+    for (const auto& [id, unit] : facts_.units(side)) {
         has.insert(bare_leaf_of(unit.name));
         if (!is_macro(unit)) places.insert(place_of(unit.file, scope_of(unit.name), bare_leaf_of(unit.name)));
     }
@@ -275,7 +275,7 @@ void NewNames::add_words(Side side, Fresh& out) const {
         out.meanings.push_back({word, Reason::Said, nullptr, &one, {{}, word, {}, {}, false, false}, stands_for_unit});
     }
     if (out.opened_now.empty()) return;
-    for (const auto& [id, unit] : units(side)) {
+    for (const auto& [id, unit] : facts_.units(side)) {
         if (is_macro(unit)) continue;
         Signature own = signature_of(unit);
         if (out.opened_now.contains(last_scope(own.scope)))

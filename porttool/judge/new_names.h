@@ -69,9 +69,6 @@ private:
     };
     using Uses = std::set<const Meaning*>;  ///< in the order of `meanings`
 
-    const std::map<std::string, UnitState>& units(Side side) const {
-        return side == Side::Source ? facts_.source : facts_.target;
-    }
     const Fresh& fresh(Side side);
     void add_units(Side side, Fresh& out) const;
     void add_words(Side side, Fresh& out) const;

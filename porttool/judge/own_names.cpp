@@ -91,7 +91,7 @@ bool has_in_a_row(const Words& words, std::string_view apart_by_blanks) {
 const std::vector<const UnitState*>* OwnNames::of(Side side, std::string_view name) {
     if (!by_name_[side]) {
         ByName& names = by_name_[side].emplace();
-        for (const auto& [id, unit] : side == Side::Source ? facts_.source : facts_.target)
+        for (const auto& [id, unit] : facts_.units(side))
             if (unit.kind != UnitKind::File) names[bare_leaf_of(unit.name)].push_back(&unit);
     }
     const auto found = by_name_[side]->find(name);

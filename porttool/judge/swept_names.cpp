@@ -50,10 +50,6 @@ bool has_name(const UnitText& text, std::string_view name) {
     return out;
 }
 
-const std::map<std::string, UnitState>& units_on(const Case& facts, Side side) {
-    return side == Side::Source ? facts.source : facts.target;
-}
-
 /// The prints of a side's recorded units, by their ids.
 std::unordered_map<std::string_view, Print> recorded_texts(const Case& facts, Side side) {
     std::unordered_map<std::string_view, Print> out;
@@ -90,7 +86,7 @@ bool SweptNames::is_gone(Side side, const std::string& name) const {
 
 /// True if the side declares a type, or another name of one, by that word.
 bool SweptNames::is_type(Side side, const std::string& name) const {
-    for (const auto& [id, unit] : units_on(facts_, side))
+    for (const auto& [id, unit] : facts_.units(side))
         if (unit.kind == UnitKind::Struct && bare_leaf_of(unit.name) == name) return true;
     const FilesOfSide& files = (*facts_.files)[side];
     for (size_t i = 0; i < files.size(); ++i) {
@@ -107,7 +103,7 @@ bool SweptNames::is_type(Side side, const std::string& name) const {
 /// True if no unit that is as it was recorded has the word.
 bool SweptNames::is_new(Side side, const std::string& name) const {
     const auto recorded = recorded_texts(facts_, side);
-    for (const auto& [id, unit] : units_on(facts_, side)) {
+    for (const auto& [id, unit] : facts_.units(side)) {
         const auto then = recorded.find(id);
         if (then == recorded.end() || then->second != unit.prints.written) continue;
         if (has_name(unit.text, name)) return false;
@@ -129,8 +125,8 @@ const std::map<std::string, size_t>& SweptNames::lone_renamings(Side side) {
     for (const LockedPair& line : facts_.lock.pairs) {
         const std::string& id = side == Side::Source ? line.source : line.target;
         const Print then = (side == Side::Source ? line.source_prints : line.target_prints).written;
-        const auto unit = units_on(facts_, side).find(id);
-        if (unit == units_on(facts_, side).end() || unit->second.prints.written == then || !seen.insert(id).second)
+        const auto unit = facts_.units(side).find(id);
+        if (unit == facts_.units(side).end() || unit->second.prints.written == then || !seen.insert(id).second)
             continue;
         const NormalText before = facts_.base_text(then);
         const auto names = exchanged_names(before.words(), unit->second.text.words());

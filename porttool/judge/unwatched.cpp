@@ -20,10 +20,6 @@ namespace {
 
 constexpr float kCertain = 0.9f;  ///< of a candidate, from which on it is an error to leave it
 
-const std::map<std::string, UnitState>& units_of(const Case& facts, Side side) {
-    return side == Side::Source ? facts.source : facts.target;
-}
-
 /// What is counted of a unit that some port lacks.
 struct Unwatched {
     bool unpaired = false;  ///< nobody said why
@@ -46,7 +42,7 @@ public:
     /// Adds to `lone`, and to `changed` those that are new or edited.
     void run(Judgement& out, std::map<const UnitState*, Unwatched>& units) {
         find_units(out.pairs);
-        const BaselineIndex baseline(facts_.lock.baseline, side_, set_, units_, units_of(facts_, side_));
+        const BaselineIndex baseline(facts_.lock.baseline, side_, set_, units_, facts_.units(side_));
         std::vector<const UnitState*> fresh;
         for (const UnitState* unit : units_)
             if (baseline.find(*unit) == nullptr && !verdicts_.is_ignored(*unit)) fresh.push_back(unit);
@@ -76,7 +72,7 @@ private:
                 paired.insert(pair.unit[side_]);
                 pairs_of_.emplace(pair.unit[side_], &pair);
             }
-        for (const auto& [id, unit] : units_of(facts_, side_)) {
+        for (const auto& [id, unit] : facts_.units(side_)) {
             const bool of_set = side_ == Side::Source || sets_.of_path(unit.file) == set_;
             if (unit.kind != UnitKind::File && of_set && !paired.contains(&unit)) units_.push_back(&unit);
         }
@@ -104,7 +100,7 @@ private:
                                  });
             return is_told ? "whose port changed as well" : "";
         };
-        told_ = told_with_others({units_of(facts_, side_), lone, is_fresh, unported, files, tells_of, answers});
+        told_ = told_with_others({facts_.units(side_), lone, is_fresh, unported, files, tells_of, answers});
     }
 
     /// False for a watched unit whose edit is only a note, but for one of what the other side has nothing like, or that
@@ -198,7 +194,7 @@ void find_unwatched(const Case& facts, FindingList& findings, Verdicts& verdicts
     std::map<const UnitState*, Unwatched> units;  // each once, whatever ports lack it
     for (const Side side : kBothSides) {
         if (!is_contract(facts.map.reference, side)) continue;
-        for (const auto& [id, unit] : units_of(facts, side)) out.summary.units += unit.kind != UnitKind::File ? 1 : 0;
+        for (const auto& [id, unit] : facts.units(side)) out.summary.units += unit.kind != UnitKind::File ? 1 : 0;
         for (const std::string& set : sets.names())
             UnwatchedSide(facts, sets, side, set, findings, verdicts).run(out, units);
     }
