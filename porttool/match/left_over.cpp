@@ -53,6 +53,7 @@ public:
     std::vector<UnitPair> run() {
         find_twins();
         find_families();
+        find_parts();
         return std::move(found_);
     }
 
@@ -132,6 +133,52 @@ private:
         }
     }
 
+    /// Kernels that are one step each of what the other side does in one function, which is at home where they are:
+    /// `softmax_reduce_max.comp`, `softmax_div_sum.comp` and `softmax.cpp`.
+    void find_parts() {
+        for (uint32_t s = 0; s < source_.size(); ++s) {
+            if (!source_[s].kernel || !is_open_source(s) || taken_.contains(s) || is_reference(source_[s])) continue;
+            const uint32_t t = holder_at_home(s);
+            if (t != kNoUnit) add(s, t, kHeld);
+        }
+    }
+
+    /// Of the functions at home with a source the one that holds a part of it, and more than that and what it ports.
+    uint32_t holder_at_home(uint32_t s) const {
+        constexpr float kLeast = 0.2f;
+        BestOf best;
+        for (const Candidate& candidate : candidates_[s]) {
+            const uint32_t t = candidate.target;
+            const uint32_t ported = owners_[t] == kNoUnit ? 0 : source_[owners_[t]].size;
+            const bool room = target_[t].size >= ported + source_[s].size;
+            if (room && target_[t].folded_leaf != "main" && is_at_home(s, t) && can_hold(t, s))
+                best.add(t, contained_in(source_[s], target_[t]));
+        }
+        return best.most >= kLeast ? best.unit : kNoUnit;
+    }
+
+    /// The two's paths differ in one word and their files have another in common, `ADD-Cuda.cpp` and `ADD-Seq.cpp`, or
+    /// the name of a shader's file begins with the name of the other's.
+    bool is_at_home(uint32_t s, uint32_t t) const {
+        const std::vector<uint32_t>&here = *source_[s].path_words, &there = *target_[t].path_words;
+        const std::string_view file = terms_.text(source_[s].stem), other = terms_.text(target_[t].stem);
+        if (source_[s].whole_file_main && file.size() > other.size() && file.starts_with(other)) return true;
+        std::vector<uint32_t> both;
+        std::set_intersection(here.begin(), here.end(), there.begin(), there.end(), std::back_inserter(both));
+        if (here.size() > both.size() + 1 || there.size() > both.size() + 1) return false;
+        return std::any_of(both.begin(), both.end(), [&](uint32_t word) {
+            return file.find(terms_.text(word)) != file.npos && other.find(terms_.text(word)) != other.npos;
+        });
+    }
+
+    /// True for a function that works, is larger than a source and has no other role.
+    bool can_hold(uint32_t t, uint32_t s) const {
+        const UnitFeatures& holder = target_[t];
+        const bool larger = 2 * holder.size >= 3 * source_[s].size;
+        const bool program = holder.folded_leaf == "main" && !holder.kernel;  // it holds a little of everything
+        return larger && !program && is_worker(holder) && !UnitRoles::other_role(source_[s], holder);
+    }
+
     /// What a project computes to compare its kernels with.
     bool is_reference(const UnitFeatures& unit) const {
         return std::any_of(unit.all_words.begin(), unit.all_words.end(),
@@ -145,11 +192,8 @@ private:
         for (const Candidate& candidate : candidates_[s])
             best.add(candidate.target, contained_in(source_[s], target_[candidate.target]));
         if (!best.is_clear() || best.most < kNamed) return kNoUnit;
-        const UnitFeatures& holder = target_[best.unit];
-        const bool larger = 2 * holder.size >= 3 * source_[s].size;
-        const bool program = holder.folded_leaf == "main" && !holder.kernel;  // it holds a little of everything
-        const bool fits = larger && !program && is_worker(holder) && !UnitRoles::other_role(source_[s], holder);
-        return fits && (best.most >= kMost || has_a_word_of(holder, source_[s].core_words)) ? best.unit : kNoUnit;
+        const bool named = has_a_word_of(target_[best.unit], source_[s].core_words);
+        return can_hold(best.unit, s) && (best.most >= kMost || named) ? best.unit : kNoUnit;
     }
 
     /// True if one of these words stands in the holder's body.

@@ -15,7 +15,9 @@ namespace porttool {
 ///   - one that is written like it as nothing else is on either side, where what they call, numbers of three digits
 ///     (`0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z`), or some words of their names say so, too;
 ///   - one that holds several of a file: `switch (op) { case RELU: ...` of `relu`, `gelu` and `silu`, or `softmax` of
-///     `softmax_max`, `softmax_sum` and `softmax_div`.
+///     `softmax_max`, `softmax_sum` and `softmax_div`;
+///   - one that is at home where a kernel is and holds that and more: `run` of `ADD-Seq.cpp` and the kernels of
+///     `ADD-Cuda.cu`.
 ///
 /// `ports` has the target of each source, `owners` the source of each target, or kNoUnit.
 std::vector<UnitPair> find_left_over(const std::vector<UnitFeatures>& source, const std::vector<UnitFeatures>& target,

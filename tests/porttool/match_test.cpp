@@ -715,6 +715,46 @@ TEST(Match, OneFunctionHoldsAFamilyOfKernels) {
     EXPECT_EQ(count(relu + silu, holder("Relu", "Silu", "Gelu")), 0u) << "two are no family";
 }
 
+TEST(Match, OneFunctionHoldsTheStepsOfAFile) {
+    const auto kernel = [](const std::string& name, const std::string& step) {
+        return "__global__ void " + name +
+               "(const double* price, double* gain, int days)\n{\n    const int day = blockIdx.x * blockDim.x + "
+               "threadIdx.x;\n    if (day < days) {\n        " +
+               step + "\n    }\n}\n";
+    };
+    const std::string rise = "gain[day] = price[day + 1] - price[day];",
+                      fee = "if (gain[day] > 0.25) gain[day] -= 0.015 * gain[day] + 0.3;",
+                      sum = "gain[day] += gain[day / 2] * 0.5 + gain[day / 3];";
+    const std::string steps = kernel("first_step", rise) + kernel("second_step", fee) + kernel("third_step", sum);
+    const std::string loop = "    for (int day = 0; day < days; ++day) ";
+    const std::string holder = "void Trades::execute(const double* price, double* gain, int days)\n{\n" + loop + "{ " +
+                               rise + " }\n" + loop + "{ " + fee + " }\n" + loop + "{ " + sum + " }\n}\n";
+    // Others that are written like it, which hold nothing of it.
+    const auto others = [&](const std::string& folder) {
+        std::vector<std::pair<std::string, std::string>> files;
+        for (const std::string name : {"Loans", "Rents", "Taxes"})
+            files.push_back({folder + name + "-Seq.cpp",
+                             "void " + name + "::execute(const double* rate, double* due, int days)\n{\n" + loop +
+                                 "{ due[day] = rate[day] * 1.1; }\n" + loop + "{ due[day] = due[day] - 7; }\n" + loop +
+                                 "{ due[day] *= due[day]; }\n}\n"});
+        return files;
+    };
+    const auto count = [&](const std::string& source, const std::string& target, const std::string& text) {
+        auto files = others("bank/");
+        files.push_back({target, text});
+        size_t held = 0;
+        for (const auto& [from, to] : pairs(match({{source, steps}}, files))) held += to.starts_with(target) ? 1 : 0;
+        return held;
+    };
+    EXPECT_EQ(count("bank/Trades-Cuda.cu", "bank/Trades-Seq.cpp", holder), 3u);
+    EXPECT_LE(count("bank/Notes-Cuda.cu", "other/Trades-Seq.cpp", holder), 1u) << "nothing says that it is theirs";
+    EXPECT_LE(count("bank/Trades-Cuda.cu", "bank/Trades-Seq.cpp",
+                    "void Trades::execute(const double* price, double* gain, int days)\n{\n" + loop + "{ " + rise +
+                        " }\n}\n"),
+              1u)
+        << "it holds one of them alone";
+}
+
 /// A project that has its functions in two forms, the second under names of its own: one word more throughout a file.
 TEST(Match, AFamilyInASecondFormIsPortedByBoth) {
     const std::vector<std::string> names = {"reverse", "rotate", "append", "purge", "mirror", "title"};
