@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "render_system/loader/file_bytes.h"
 #include "render_system/loader/load_error.h"
@@ -48,6 +50,18 @@ std::string unknown_text(const std::vector<std::string>& unknown) {
     return text +
            "; a camera file has position, target, up, vfov_degrees, sky_radiance, area_lights, and each light corners, "
            "radiance, normal";
+}
+
+// The document, none of whose objects says a thing twice: of the two values one would be left out without a word.
+json parse_said_once(std::string_view text) {
+    std::vector<std::set<std::string>> open;
+    return json::parse(text, [&open](int, json::parse_event_t event, const json& parsed) {
+        if (event == json::parse_event_t::object_start) open.emplace_back();
+        if (event == json::parse_event_t::object_end) open.pop_back();
+        if (event == json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second)
+            fail_at('"' + parsed.get<std::string>() + '"', "is given twice in one object; keep one of the two");
+        return true;
+    });
 }
 
 float number_of(const json& value, const std::string& place) {
@@ -133,7 +147,7 @@ Result<CameraFile> load_camera_file(const std::filesystem::path& path, std::vect
         const auto* text = reinterpret_cast<const char*>(file.bytes().data());
         if (file.bytes().empty()) return unreadable("the file is empty; a camera file is JSON");
         std::vector<std::string> unknown;
-        CameraFile camera = camera_file_of(json::parse(text, text + file.bytes().size()), unknown);
+        CameraFile camera = camera_file_of(parse_said_once({text, file.bytes().size()}), unknown);
         if (warnings && !unknown.empty()) warnings->push_back(path.string() + ": " + unknown_text(unknown));
         return camera;
     } catch (const LoadError& error) {

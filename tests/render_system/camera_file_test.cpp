@@ -124,6 +124,21 @@ TEST(CameraFile, RefusesFilesThatAreMissingOrNoJson) {
     EXPECT_THAT(load_camera_file(folder / "text.json").status.message, HasSubstr("; name one that the key K"));
 }
 
+TEST(CameraFile, RefusesWhatIsGivenTwice) {
+    const TempFolder folder;
+    const std::string text = complete().dump(), light = R"("radiance":[4,5,6])";
+    const size_t place = text.find(light);
+    ASSERT_NE(place, std::string::npos);
+    write_file(folder / "camera.json", text.substr(0, text.size() - 1) + R"(,"up":[0,1,0]})");
+    EXPECT_THAT(load_camera_file(folder / "camera.json").status.message, HasSubstr("\"up\": is given twice"));
+    write_file(folder / "light.json", text.substr(0, place) + R"("radiance":[1,1,1],)" + text.substr(place));
+    EXPECT_THAT(load_camera_file(folder / "light.json").status.message, HasSubstr("\"radiance\": is given twice"));
+    json lights = complete();  // of one name in two objects nothing is given twice
+    lights["area_lights"].push_back(lights["area_lights"][0]);
+    write_file(folder / "lights.json", lights.dump());
+    EXPECT_TRUE(load_camera_file(folder / "lights.json").ok());
+}
+
 // A 2x1 map with these six numbers.
 void write_map(const std::filesystem::path& path, const std::vector<float>& rgb) {
     const auto output = OIIO::ImageOutput::create(path.string());
