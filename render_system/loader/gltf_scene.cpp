@@ -117,6 +117,7 @@ public:
         scene().set_animation(read_animation(document_, parts_, scene()));
         if (Status status = scene().play(time_); !status.ok()) fail_at("", status.message + EXPORT_AGAIN);
         check_hidden();
+        check_moved();
         if (document_.sky) scene().set_sky(std::move(*document_.sky));
         write_warnings();
         loaded_.files = std::move(document_.files);
@@ -285,6 +286,19 @@ private:
         const CoreTransform transform = core_transform(world);
         if (!is_scaled_to_nothing(transform)) check_instance(node, mesh, transform);
         return scene().add_instance(mesh, transform);
+    }
+
+    // Where joints and animations have brought what moves, which is known once all is placed.
+    void check_moved() {
+        for (const auto& [node, shown] : deforming_)
+            if (shown.skinned) check_instance(node, shown.mesh, CoreTransform());
+        if (!scene().is_animated()) return;
+        for (const auto& [node, placed] : placed_as_) {
+            const HostNode& host = scene().nodes()[placed];
+            if (host.mesh == NONE) continue;
+            const HostInstance& instance = scene().instances()[host.instance];
+            if (instance.mesh != NONE) check_instance(node, instance.mesh, instance.transform);
+        }
     }
 
     void check_hidden() {

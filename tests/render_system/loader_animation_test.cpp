@@ -13,6 +13,7 @@ namespace render_system::testing::loader_animation_test {
 namespace {
 
 using nlohmann::json;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -335,6 +336,12 @@ TEST(LoaderAnimation, PointersMoveMaterialsLightsAndLensesAsIfTheFileHadTheValue
     EXPECT_EQ(played(file, 0).materials()[0].core.roughness, 0.0f) << "values are held to their range";
 }
 
+TEST(LoaderAnimation, WhatItMovesTooFarIsRefusedWithItsNode) {
+    GltfFile file = one_triangle();
+    add_channel(file, {0, 1}, {1e20f, 0, 0, 0, 0, 0}, "VEC3", 3, part(0, "translation"));
+    EXPECT_THAT(refusal(file), AllOf(HasSubstr("/nodes/0"), HasSubstr("reaches to a coordinate of 1e+20")));
+}
+
 TEST(LoaderAnimation, OfTwoAnimationsThatMoveTheSameTheFirstCounts) {
     GltfFile file = one_triangle();
     add_channel(file, {0}, {1, 0, 0}, "VEC3", 3, part(0, "translation"));
@@ -434,6 +441,10 @@ TEST(LoaderAnimation, RefusesSkinsThatCannotHold) {
     EXPECT_THAT(
         refused([&](GltfFile& file) { attributes(file)["WEIGHTS_0"] = add_floats(file, Floats(12, -1), "VEC4", 4); }),
         HasSubstr("WEIGHTS_0: vertex 0 has a weight of -1"));
+    EXPECT_THAT(refused([](GltfFile& file) {
+                    file.root["nodes"][1]["translation"] = {1e20, 0, 0};
+                }),
+                AllOf(HasSubstr("/nodes/0"), HasSubstr("reaches to a coordinate of")));
     EXPECT_THAT(refused([&](GltfFile& file) { attributes(file).erase("WEIGHTS_0"); }), HasSubstr("but no WEIGHTS_0"));
     EXPECT_THAT(
         refused([&](GltfFile& file) { attributes(file)["JOINTS_0"] = add_floats(file, Floats(12, 0), "VEC4", 4); }),
