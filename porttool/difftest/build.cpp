@@ -47,7 +47,13 @@ std::string program_text(const std::vector<const ProgramPart*>& parts) {
     // First what is porttool's: a header may make a macro of any word, as <complex.h> does of I.
     std::string out = "#include \"vectors.h\"\n#include \"harness.h\"\n";
     for (const std::string& header : headers) out += "#include " + header + "\n";
-    for (const ProgramPart* part : parts) out += part->text;
+    for (const ProgramPart* part : parts) {
+        // <complex.h> makes a macro of I, which is a name to whoever calculates with real numbers.
+        const bool is_real = part->text.find("omplex") == std::string::npos;
+        if (is_real) out += "#pragma push_macro(\"I\")\n#undef I\n";
+        out += part->text;
+        if (is_real) out += "#pragma pop_macro(\"I\")\n";
+    }
     out += "#line 1 \"main\"\nconst porttool_harness::Subject porttool_subjects[] = {\n";
     for (const ProgramPart* part : parts)
         out += fmt::format("{{{0}, subject_{0}::porttool_list, subject_{0}::porttool_run}},\n", part->number);

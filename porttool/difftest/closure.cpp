@@ -6,6 +6,7 @@
 #include <map>
 
 #include "porttool/difftest/argument_list.h"
+#include "porttool/difftest/old_style.h"
 #include "porttool/difftest/prelude.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/text/is_one_of.h"
@@ -116,8 +117,12 @@ public:
                         if (found->kind == Definition::Kind::Macro && found != &one) bring(*found);
         }
         std::set<std::string, std::less<>> locals;
-        if (one.unit != nullptr && one.kind == Definition::Kind::Function)
+        if (one.unit != nullptr && one.kind == Definition::Kind::Function) {
             for (std::string& name : local_names(*one.file, *one.unit)) locals.insert(std::move(name));
+            if (is_old_style(lexed, *one.unit) || has_two_heads(lexed, *one.unit))
+                for (const TokenRange name : list_parts(lexed, one.unit->parameters))
+                    locals.insert(std::string(lexed.view(name.end - 1)));
+        }
         if (one.kind == Definition::Kind::Macro) locals = macro_parameters(one);
         TokenRange range = one.tokens;
         if (supplied_.functions.contains(&one)) range.end = one.unit->body.first;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
+#include "porttool/difftest/old_style.h"
 #include "porttool/difftest/prelude.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
@@ -80,9 +82,46 @@ std::string widened(std::string_view word) {
 uint32_t behind_qualifiers(const Definition& function) {
     const Unit& unit = *function.unit;
     uint32_t at = unit.parameters.end + 1;
+    if (is_old_style(function.file->lexed, unit) || has_two_heads(function.file->lexed, unit))
+        return unit.body.first - 1;
     if (function.owner.empty()) return at;
     while (at + 1 < unit.body.first && function.file->lexed.view(at) != "->") ++at;
     return at;
+}
+
+/// Where the head of a function begins, where its name stands, and where its list opens: of two heads those of the
+/// newer one.
+struct HeadOfFunction {
+    uint32_t first = 0, name = 0, open = 0;
+};
+HeadOfFunction head_of(const Definition& function) {
+    const LexedText& lexed = function.file->lexed;
+    const Unit& unit = *function.unit;
+    const TokenRange newer = newer_list(lexed, unit);
+    if (newer.empty() || newer.first == unit.parameters.first)
+        return {function.tokens.first, unit.name_token, unit.parameters.first - 1};
+    uint32_t first = newer.first - 2;
+    while ((lexed.tokens[first - 1].flags & kInDirective) == 0) --first;
+    return {first, newer.first - 2, newer.first - 1};
+}
+
+/// The directives that decide whether a function counts, without those that only choose one of its two heads.
+std::vector<uint32_t> conditions_of_head(const Definition& function) {
+    std::vector<uint32_t> out = function.conditions;
+    const LexedText& lexed = function.file->lexed;
+    const Unit& unit = *function.unit;
+    if (!has_two_heads(lexed, unit)) return out;
+    int closed = 0;
+    for (const Directive& line : lexed.directives) {
+        if (line.first_token < function.tokens.first || line.first_token >= unit.body.first) continue;
+        if (line.kind == DirectiveKind::Endif) ++closed;
+        if (line.kind == DirectiveKind::If) --closed;
+    }
+    while (closed > 0 && !out.empty()) {
+        if (lexed.directives[out.back()].kind == DirectiveKind::If) --closed;
+        out.pop_back();
+    }
+    return out;
 }
 
 class Writer {
@@ -108,7 +147,22 @@ public:
         }
     }
 
-    /// The tokens of a parameter list, with `out` as a reference.
+    /// The tokens of a function's parameter list, with `out` as a reference, and as C++ has it.
+    void parameters(const Unit& function) {
+        const TokenRange newer = newer_list(lexed_, function);
+        if (!newer.empty()) return parameters(newer);
+        if (!is_old_style(lexed_, function)) return parameters(function.parameters);
+        bool is_first = true;
+        for (const OldStyleParameter& one : old_style_parameters(lexed_, function)) {
+            if (!std::exchange(is_first, false)) append(",", false);
+            if (one.type.empty()) append("int", true);
+            tokens(one.type, {});
+            out += ' ';
+            tokens(one.name, {});
+        }
+    }
+
+private:
     void parameters(TokenRange range) {
         uint32_t first = range.first;
         int depth = 0;
@@ -123,7 +177,6 @@ public:
         }
     }
 
-private:
     std::string_view view(uint32_t i) const { return lexed_.view(i); }
 
     void append(std::string_view text, bool apart) {
@@ -205,6 +258,10 @@ private:
                 append((is_assignment(next) ? "parts<" : "swizzle<") + indices + ">()", false);
                 return i + 1;
             }
+        }
+        if (is_name_in_c(word, language_)) {
+            append(std::string(word) + "_", apart && !member);
+            return i + 1;
         }
         if (member) {
             append(word, false);
@@ -295,6 +352,13 @@ private:
 
 }  // namespace
 
+bool is_name_in_c(std::string_view word, Language language) {
+    return language == Language::C &&
+           is_one_of(word, {"new",    "delete",  "class",     "this",      "template", "typename", "virtual",
+                            "public", "private", "protected", "namespace", "operator", "try",      "catch",
+                            "throw",  "friend",  "explicit",  "export",    "typeid",   "mutable"});
+}
+
 std::string cpp_text_of(const ScannedFile& file, TokenRange range, const CppManner& manner) {
     Writer writer(file, manner);
     writer.tokens(range, {});
@@ -305,29 +369,30 @@ std::string cpp_text(const Piece& piece, const CppManner& manner) {
     const Definition& one = *piece.definition;
     const LexedText& lexed = one.file->lexed;
     std::string out;
-    for (const uint32_t directive : one.conditions) {
+    const bool function = one.kind == Definition::Kind::Function && one.unit != nullptr && !one.unit->body.empty();
+    for (const uint32_t directive : function ? conditions_of_head(one) : one.conditions) {
         const Directive& line = lexed.directives[directive];
         out += cpp_text_of(*one.file, {line.first_token, line.end_token}, manner) + "\n";
     }
     Writer writer(*one.file, manner);
-    const bool function = one.kind == Definition::Kind::Function && one.unit != nullptr && !one.unit->body.empty();
     if (function) {
         const Unit& unit = *one.unit;
         const bool renames = !manner.rename.empty();
         // Up to its name, its parameters, and what is left of its head.
-        const uint32_t open = unit.parameters.first - 1;
-        uint32_t first = one.tokens.first;
+        const HeadOfFunction head = head_of(one);
+        uint32_t first = head.first;
         // A specialisation, under a name that is no template's.
         if (renames && lexed.view(first) == "template" && lexed.view(first + 1) == "<" && lexed.view(first + 2) == ">")
             first += 3;
-        writer.tokens({first, renames ? unit.name_token : open}, {});
+        writer.tokens({first, renames ? head.name : head.open}, {});
         if (renames) writer.out += " " + manner.rename;
         writer.out += "(";
-        writer.parameters(unit.parameters);
+        writer.parameters(unit);
         const uint32_t rest = manner.body ? unit.body.first - 1 : one.tokens.end;
-        writer.tokens({unit.parameters.end, renames ? unit.parameters.end + 1 : rest}, piece.left_out);
-        if (renames) writer.tokens({behind_qualifiers(one), rest}, piece.left_out);
-        if (manner.body) writer.out += " " + *manner.body;
+        const bool parts = renames || is_old_style(lexed, unit) || has_two_heads(lexed, unit);
+        writer.tokens({unit.parameters.end, parts ? unit.parameters.end + 1 : rest}, piece.left_out);
+        if (parts) writer.tokens({behind_qualifiers(one), rest}, piece.left_out);
+        if (manner.body) writer.out += "\n" + *manner.body;
     } else {
         writer.tokens(one.tokens, piece.left_out);
     }
@@ -349,8 +414,8 @@ std::string prototype(const Definition& function, const CppManner& manner) {
     Writer writer(*function.file, manner);
     writer.tokens({function.tokens.first, unit.parameters.first - 1}, {});
     writer.out += "(";
-    writer.parameters(unit.parameters);
-    writer.tokens({unit.parameters.end, unit.body.first - 1}, {});
+    writer.parameters(unit);
+    writer.tokens({unit.parameters.end, is_old_style(lexed, unit) ? unit.parameters.end + 1 : unit.body.first - 1}, {});
     return writer.out + ";\n";
 }
 

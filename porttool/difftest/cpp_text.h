@@ -22,6 +22,9 @@ struct CppManner {
     std::optional<std::string> body = {};  ///< in the place of the function's own
 };
 
+/// True for a word that C has no meaning for and C++ has: the name of something, with a `_` behind it as C++ has it.
+bool is_name_in_c(std::string_view word, Language language);
+
 /// The text of a definition as C++, whatever its language: without words that only device code has, with the
 /// components of vectors, literals and `out` parameters as C++ has them. Lines are kept apart where it has directives.
 std::string cpp_text(const Piece& piece, const CppManner& manner);

@@ -302,12 +302,32 @@ private:
     void cut_variables() {
         for (const FileVariable& variable : file_.variables) {
             const std::string_view name = lexed_.view(variable.name_token);
-            if (variable.about != FileVariable::Declares || names_.contains(name)) continue;
+            if (variable.about != FileVariable::Declares) continue;
+            cut_further(variable);
+            if (names_.contains(name)) continue;
             const TokenRange whole = ++tables_ <= kMostTables ? table_of(file_, variable) : TokenRange();
             if (whole.empty())
                 add(Definition::Kind::Variable, nullptr, variable.tokens, name);
             else
                 add(Definition::Kind::Constant, nullptr, whole, name);
+        }
+    }
+
+    /// The variables that a list has behind its first value: `b` of `int a = 1, b = 2;`.
+    void cut_further(const FileVariable& variable) {
+        constexpr uint32_t kLongest = 256;
+        const auto count = static_cast<uint32_t>(lexed_.tokens.size());
+        int depth = 0;
+        for (uint32_t i = variable.name_token + 1; i + 1 < std::min(count, variable.name_token + kLongest); ++i) {
+            const std::string_view word = lexed_.view(i);
+            if (word == "(" || word == "[" || word == "{") ++depth;
+            if (word == ")" || word == "]" || word == "}") --depth;
+            if (depth < 0 || (word == ";" && depth == 0)) return;
+            if (word != "," || depth != 0) continue;
+            while (i + 2 < count && lexed_.view(i + 1) == "*") ++i;
+            const std::string_view name = lexed_.view(i + 1);
+            if (lexed_.tokens[i + 1].kind == TokenKind::Identifier && !names_.contains(name))
+                add(Definition::Kind::Variable, nullptr, {i + 1, i + 2}, name);
         }
     }
 

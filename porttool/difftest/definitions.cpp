@@ -40,6 +40,25 @@ std::string plain_path(const std::string& path) {
     return out;
 }
 
+/// A file that a line includes by a macro, `#include QUOTED(FOLDER/name.h)`, and behind which byte: what the folder is
+/// only the build knows.
+std::vector<std::pair<size_t, std::string>> included_by_macro(const ScannedFile& file) {
+    const LexedText& lexed = file.lexed;
+    std::vector<std::pair<size_t, std::string>> out;
+    for (const Directive& directive : lexed.directives) {
+        if (directive.kind != DirectiveKind::Include || directive.line != directive.end_line) continue;
+        const size_t first = lexed.line_starts[directive.line - 1];
+        const size_t end = std::min(lexed.text.find('\n', first), lexed.text.size());
+        const std::string_view line = std::string_view(lexed.text).substr(first, end - first);
+        const size_t close = line.rfind(')');
+        if (line.find_first_of("<\"") != std::string_view::npos || close == std::string_view::npos) continue;
+        const size_t slash = line.find_last_of("/(, ", close - 1);
+        const std::string_view name = line.substr(slash + 1, close - slash - 1);
+        if (name.find('.') != std::string_view::npos) out.emplace_back(end, name);
+    }
+    return out;
+}
+
 /// True where one of these functions takes the same parameters, as copies of a helper in several files do.
 bool is_known(const std::vector<const Definition*>& found, const Definition& one) {
     if (one.kind != Definition::Kind::Function || one.unit == nullptr || !one.conditions.empty()) return false;
@@ -154,6 +173,9 @@ const Definitions::Includes& Definitions::includes(const ScannedFile& file) cons
         const ScannedFile* const other = included(file, std::string_view(line.what).substr(1, line.what.size() - 2));
         if (other != nullptr) out.emplace_back(line.next, other);
     }
+    for (const auto& [behind, what] : included_by_macro(file))
+        if (const ScannedFile* const other = included(file, what); other != nullptr) out.emplace_back(behind, other);
+    std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     return includes_[&file] = std::move(out);
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <map>
 #include <set>
@@ -29,6 +30,10 @@
 namespace porttool {
 namespace {
 
+/// How the reasons begin that say of a function that it does not live by its arguments alone.
+constexpr std::array<std::string_view, 4> kImpure = {"a kernel", "a member function", "the start of a program",
+                                                     "binding"};
+
 /// The units of one side by id.
 class SideUnits {
 public:
@@ -49,6 +54,17 @@ private:
 
 bool is_function(const Definition* one) {
     return one != nullptr && one->kind == Definition::Kind::Function && one->unit != nullptr;
+}
+
+/// What tells that a function is not pure counts for more than what a run lacks: a reader learns which pairs no tool
+/// could run, whichever side says so.
+const std::string& weightier_reason(const std::string& source, const std::string& target) {
+    const auto says_impure = [](const std::string& reason) {
+        return std::any_of(kImpure.begin(), kImpure.end(),
+                           [&](std::string_view start) { return reason.starts_with(start); });
+    };
+    if (source.empty() || (says_impure(target) && !says_impure(source))) return target;
+    return source;
 }
 
 void add_constants(const ScannedFile& file, TokenRange range, std::vector<double>& out) {
@@ -166,14 +182,11 @@ private:
                 pairs[i].reason = side == Side::Source ? "the source is no function" : "the target is no function";
                 return;
             }
-        for (const Side side : kBothSides) {
+        for (const Side side : kBothSides)
             work.subject[side] =
                 subject_of(*work.unit[side], definitions(side), stand_ins_[side], *work.unit[other(side)]);
-            if (!work.subject[side].reason.empty()) {
-                pairs[i].reason = work.subject[side].reason;
-                return;
-            }
-        }
+        pairs[i].reason = weightier_reason(work.subject.source.reason, work.subject.target.reason);
+        if (!pairs[i].reason.empty()) return;
         guess_alike(work);
         if (work.subject.source.stood_in != work.subject.target.stood_in)
             pairs[i].reason = "the sides read bindings by different helpers";
@@ -189,7 +202,13 @@ private:
                     one->is_guess = false;
                     one->elements = 1;
                 }
-            if (!ours[i].is_pointer || !theirs[i].is_pointer || (!ours[i].is_guess && !theirs[i].is_guess)) continue;
+            if (!ours[i].is_pointer || !theirs[i].is_pointer) continue;
+            if (!ours[i].is_guess && !theirs[i].is_guess) {
+                // As far as the side looks that looks further.
+                if (ours[i].bound.empty() && theirs[i].bound.empty())
+                    ours[i].elements = theirs[i].elements = std::max(ours[i].elements, theirs[i].elements);
+                continue;
+            }
             for (SubjectParameter* one : {&ours[i], &theirs[i]}) {
                 one->is_guess = true;
                 one->elements = kGuessedElements;
@@ -202,13 +221,16 @@ private:
         for (const Side side : kBothSides)
             for (const SubjectParameter& parameter : work.subject[side].parameters)
                 if (parameter.is_guess) return parameter.name;
+        for (const Side side : kBothSides)
+            if (!work.built[side].leaves.guess.empty()) return work.built[side].leaves.guess;
         return {};
     }
 
     ProgramPart part_of(size_t i, Side side, bool widens) const {
         const Subject& subject = work_[i].subject[side];
         return {number_of(i, side),
-                subject_text(subject, number_of(i, side), definitions(side), stand_ins_[side], widens),
+                subject_text(subject, number_of(i, side), definitions(side), stand_ins_[side],
+                             words_of_side(work_[i].subject[other(side)].closure), widens),
                 definitions(side).standard_headers(*work_[i].unit[side]->file, subject.closure.pieces)};
     }
 
@@ -348,7 +370,7 @@ private:
         tell_assumed(pair, work.subject);
         if (!match.zeroed.empty() && pair.state != DifftestState::NotRun)
             pair.reason = "with " + match.zeroed + " at 0" + (pair.reason.empty() ? "" : "; " + pair.reason);
-        if (!array.empty()) tell_guess(pair, array, records);
+        if (!array.empty()) tell_guess(pair, array, work.built, records);
         if (work.built.source.calls.empty() && work.built.target.calls.empty()) return;
         // That one does to components what the other does to numbers was a guess.
         if (2 * differing > pair.inputs) pair = {pair.source, pair.target, DifftestState::NotRun, 0, "", {}, why_not};
@@ -379,13 +401,16 @@ private:
     }
 
     /// Where nearly no input stays within the arrays, nothing was tested.
-    static void tell_guess(DifftestPair& pair, const std::string& array, size_t records) {
+    static void tell_guess(DifftestPair& pair, const std::string& array, const BySide<BuiltSide>& built,
+                           size_t records) {
         constexpr size_t kFewest = 50;
         if (pair.inputs * kFewest < records)
             pair = {pair.source, pair.target, DifftestState::NotRun, 0, "", {}, "pointer of unknown length: " + array};
         else if (pair.state != DifftestState::NotRun)
-            pair.reason = fmt::format("arrays of {} elements{}{}", kGuessedElements, pair.reason.empty() ? "" : "; ",
-                                      pair.reason);
+            pair.reason =
+                fmt::format("arrays of {}{} elements{}{}",
+                            built.source.leaves.guess.empty() && built.target.leaves.guess.empty() ? "" : "at most ",
+                            kGuessedElements, pair.reason.empty() ? "" : "; ", pair.reason);
     }
 
     const MapFile& map_;

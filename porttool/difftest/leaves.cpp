@@ -225,6 +225,7 @@ std::map<int, Leaves> read_leaves(std::string_view text) {
         if (current == nullptr || words.size() < 3) continue;
         if (words[0] == "in") current->in.push_back(leaf_of_line(words));
         if (words[0] == "out") current->out.push_back(leaf_of_line(words));
+        if (words[0] == "guess" && current->guess.empty() && words.size() > 3) current->guess = words[3];
         if (words[0] == "bad" && current->reason.empty())
             current->reason = reason_of(words[2], words.size() > 3 ? words[3] : std::string_view());
     }

@@ -27,6 +27,7 @@ struct Leaf {
 /// What a function takes and gives, as its program lists it.
 struct Leaves {
     std::vector<Leaf> in, out;
+    std::string guess;   ///< a pointer in a struct behind which an array of a guessed length stands; "" for none
     std::string reason;  ///< why it cannot be run; "" if it can
 };
 

@@ -3,14 +3,15 @@
 #include "porttool/difftest/parameters.h"
 
 #include "porttool/difftest/argument_list.h"
+#include "porttool/difftest/old_style.h"
 
 namespace porttool {
 namespace {
 
-SubjectParameter parameter_of(const ScannedFile& file, TokenRange range, const CppManner& manner) {
+/// Takes in some tokens of a declaration. `is_text`: strings, and what is behind `void*`, are drawn by nobody.
+void read_declaration(const ScannedFile& file, TokenRange range, const CppManner& manner, bool& is_text,
+                      SubjectParameter& out) {
     const LexedText& lexed = file.lexed;
-    SubjectParameter out;
-    bool is_text = false;  // strings, and what is behind `void*`, are drawn by nobody
     for (uint32_t i = range.first; i < range.end; ++i) {
         const std::string_view word = lexed.view(i);
         if (word == "=") break;
@@ -27,19 +28,30 @@ SubjectParameter parameter_of(const ScannedFile& file, TokenRange range, const C
             out.is_pointer = true;
         }
         out.is_reference = out.is_reference || word == "&";
-        is_text = is_text || word == "char" || word == "void" || word == "FILE";
+        const bool is_byte =
+            word == "char" && i > range.first && (lexed.view(i - 1) == "unsigned" || lexed.view(i - 1) == "signed");
+        out.is_untyped = out.is_untyped || word == "void";
+        is_text = is_text || (word == "char" && !is_byte) || word == "void" || word == "FILE";
         if (lexed.tokens[i].kind == TokenKind::Identifier) out.name = word;
     }
-    return out;
 }
 
 }  // namespace
 
 std::vector<SubjectParameter> parameters_of(const ScannedFile& file, const Unit& unit, const CppManner& manner) {
     std::vector<SubjectParameter> out;
-    for (const TokenRange part : list_parts(file.lexed, unit.parameters))
-        if (part.end != part.first + 1 || file.lexed.view(part.first) != "void")
-            out.push_back(parameter_of(file, part, manner));
+    const auto add = [&](std::initializer_list<TokenRange> ranges) {
+        bool is_text = false;
+        out.emplace_back();
+        for (const TokenRange range : ranges) read_declaration(file, range, manner, is_text, out.back());
+    };
+    if (is_old_style(file.lexed, unit)) {
+        for (const OldStyleParameter& one : old_style_parameters(file.lexed, unit)) add({one.type, one.name});
+        return out;
+    }
+    const TokenRange newer = newer_list(file.lexed, unit);
+    for (const TokenRange part : list_parts(file.lexed, newer.empty() ? unit.parameters : newer))
+        if (part.end != part.first + 1 || file.lexed.view(part.first) != "void") add({part});
     return out;
 }
 

@@ -19,6 +19,8 @@ struct SubjectParameter {
     bool is_guess = false;      ///< how many there are behind the pointer, the function's other arguments say
     int elements = 1;           ///< behind a pointer, as far as the function looks
     std::string bound;          ///< of an array, as written; "" for none
+    bool is_untyped = false;    ///< a `void*`
+    std::string behind;         ///< of a `void*` what the function takes it for: a type; "" where it does not say so
 };
 
 /// The parameters of a function, in their order; how many elements are behind a pointer is not looked for.

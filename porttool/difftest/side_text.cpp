@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/difftest/side_text.h"
 
+#include "porttool/difftest/old_style.h"
 #include "porttool/difftest/prelude.h"
 #include "porttool/text/is_one_of.h"
 
@@ -54,6 +55,7 @@ bool keeps_arguments(const Closure& closure, std::string_view callee) {
         const Definition& one = *piece.definition;
         if (one.name != callee) continue;
         if (one.kind != Definition::Kind::Function || one.unit == nullptr) return false;
+        if (is_old_style(one.file->lexed, *one.unit) || has_two_heads(one.file->lexed, *one.unit)) return false;
         known = true;
         for (uint32_t i = one.unit->parameters.first; i < one.unit->parameters.end; ++i)
             if (is_one_of(one.file->lexed.view(i), {"*", "&", "[", "out", "inout"})) return false;
@@ -90,14 +92,19 @@ void add_words_of_struct(const Definition& one, std::set<std::string, std::less<
 
 }  // namespace
 
+std::set<std::string, std::less<>> words_of_side(const Closure& closure) {
+    std::set<std::string, std::less<>> out = closure.words;
+    for (const Piece& piece : closure.pieces)
+        if (piece.definition->kind == Definition::Kind::Struct)
+            add_words_of_struct(*piece.definition, out);
+        else
+            out.insert(piece.words.begin(), piece.words.end());
+    return out;
+}
+
 TextOfSide text_of_side(const Subject& subject) {
     TextOfSide out;
-    out.words = subject.closure.words;
-    for (const Piece& piece : subject.closure.pieces)
-        if (piece.definition->kind == Definition::Kind::Struct)
-            add_words_of_struct(*piece.definition, out.words);
-        else
-            out.words.insert(piece.words.begin(), piece.words.end());
+    out.words = words_of_side(subject.closure);
     for (size_t i = 0; i < subject.parameters.size(); ++i)
         if (!may_write(subject, subject.parameters[i].name)) out.unwritten.insert(static_cast<int>(i));
     return out;

@@ -7,6 +7,9 @@
 
 namespace porttool {
 
+/// Every word by which what a function needs may be looked at, fields among them.
+std::set<std::string, std::less<>> words_of_side(const Closure& closure);
+
 /// What the texts of one side name, and which of its parameters they never write to.
 TextOfSide text_of_side(const Subject& subject);
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "porttool/difftest/old_style.h"
+
 namespace porttool {
 namespace {
 
@@ -36,6 +38,7 @@ std::string type_given_by(const Definition& one) {
 /// True for a function that takes values alone: then an answer can stand for it, or a note of what it was given.
 bool can_be_stood_in_for(const Definition& one) {
     const LexedText& lexed = one.file->lexed;
+    if (is_old_style(lexed, *one.unit) || has_two_heads(lexed, *one.unit)) return false;
     for (uint32_t i = one.unit->parameters.first; i < one.unit->parameters.end; ++i) {
         const std::string_view word = lexed.view(i);
         if (word == "*" || word == "out" || word == "inout" || word == "[" || word == "&") return false;

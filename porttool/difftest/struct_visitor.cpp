@@ -58,6 +58,11 @@ std::vector<std::string> fields_of(const Definition& one) {
             continue;
         }
         if (depth > 0) continue;
+        // int (*less)(const void* a, const void* b);
+        if (*at == "(" && !named && at + 2 < words.end() && *(at + 1) == "*" && is_word_token(*(at + 2))) {
+            name = *(at + 2);
+            named = true;
+        }
         // `using value_type = T;` and `static constexpr int n = 4;` are no fields.
         if (std::exchange(starts, false) && (*at == "using" || *at == "typedef" || *at == "static")) {
             at = std::find(at, words.end(), ";");
@@ -82,14 +87,16 @@ std::string announced(const Definition& one, const CppManner& manner) {
     return {};
 }
 
-std::string visitor(const Definition& one, const CppManner& manner) {
+std::string visitor(const Definition& one, const CppManner& manner, const std::set<std::string, std::less<>>& words) {
     const auto [head, arguments] = template_head(one, manner);
     std::string out = fmt::format("template <{}{}class porttool_V> void porttool_visit({}{}& x, porttool_V& v) {{\n",
                                   head, head.empty() ? "" : ", ", one.name, arguments);
     for (const std::string& base : bases_of(one))
         out += fmt::format("porttool_harness::walk(v, \"\", static_cast<{}&>(x));\n", base);
     for (const std::string& field : fields_of(one))
-        out += fmt::format("porttool_harness::walk(v, \"{0}\", x.{0});\n", field);
+        out += fmt::format("porttool_harness::{1}(v, \"{0}\", x.{0}{2});\n", field,
+                           words.contains(field) ? "walk" : "walk_unnamed",
+                           is_name_in_c(field, one.file->language) ? "_" : "");
     return out + "}\n";
 }
 

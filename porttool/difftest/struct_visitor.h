@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ std::vector<std::string> fields_of(const Definition& one);
 /// `struct NAME;`, so that what stands before it may name it; "" where it has no name of its own.
 std::string announced(const Definition& one, const CppManner& manner);
 
-/// The function of the harness that goes through a struct's fields, those of its bases first.
-std::string visitor(const Definition& one, const CppManner& manner);
+/// The function of the harness that goes through a struct's fields, those of its bases first. `words`: of those that
+/// are not among them nothing is looked at, so that they need not be filled.
+std::string visitor(const Definition& one, const CppManner& manner, const std::set<std::string, std::less<>>& words);
 
 }  // namespace porttool

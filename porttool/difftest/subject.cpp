@@ -12,6 +12,7 @@
 #include "porttool/difftest/pointer_reach.h"
 #include "porttool/difftest/struct_visitor.h"
 #include "porttool/difftest/template_values.h"
+#include "porttool/difftest/type_behind.h"
 
 namespace porttool {
 namespace {
@@ -139,7 +140,10 @@ Subject subject_of(const Definition& function, const Definitions& definitions, c
         if (const auto value = values.find(parameter.bound); value != values.end()) parameter.bound = value->second;
         if (!parameter.is_pointer) continue;
         parameter.elements = reach.of(function, parameter.name);
-        if (parameter.elements != 0) continue;
+        if (parameter.elements != 0 && !parameter.is_untyped) continue;
+        if (parameter.is_untyped && out.template_arguments.empty())
+            parameter.behind = type_behind(function, parameter.name, manner_of(function, definitions, fields));
+        parameter.can_be_array = parameter.can_be_array || !parameter.behind.empty();
         if (!parameter.can_be_array) out.reason = "pointer of unknown length: " + parameter.name;
         parameter.is_guess = true;
         parameter.elements = kGuessedElements;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "porttool/difftest/prelude.h"
+#include "porttool/difftest/side_text.h"
 #include "porttool/difftest/struct_visitor.h"
 
 namespace porttool {
@@ -29,8 +30,9 @@ std::string answer(const Definition& one, int number) {
 }  // namespace
 
 std::string subject_text(const Subject& subject, int number, const Definitions& definitions, const StandIns& stand_ins,
-                         bool widens) {
+                         std::set<std::string, std::less<>> words, bool widens) {
     const std::set<std::string, std::less<>> fields = fields_in(subject.closure);
+    words.merge(words_of_side(subject.closure));
     CppManner manner = manner_of(*subject.function, definitions, fields);
     manner.widens = widens;
     std::string before, announcements, pieces, visitors, after;
@@ -57,7 +59,7 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
             manner.body = answer(one, stand_in->second);
         (one.kind == Definition::Kind::Macro ? before : pieces) += cpp_text(piece, manner);
         if (one.kind == Definition::Kind::Struct) {
-            visitors += visitor(one, manner);
+            visitors += visitor(one, manner, words);
             announcements += announced(one, manner);
         }
         after += undone(one);
@@ -102,7 +104,13 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
     for (const Definition* one : subject.variables)
         out += fmt::format(" porttool_harness::walk(v, \"{0}\", {0});", one->name);
     out += " } };\n";
-    const std::string pointer = "&porttool_subject" + subject.template_arguments;
+    std::string pointer = "&porttool_subject" + subject.template_arguments, types;
+    bool is_typed = false;
+    for (const SubjectParameter& parameter : subject.parameters) {
+        types += ", " + (parameter.behind.empty() ? "void" : parameter.behind);
+        is_typed = is_typed || !parameter.behind.empty();
+    }
+    if (is_typed) pointer = "&porttool_harness::Typed<&porttool_subject" + types + ">::call";
     out +=
         fmt::format("void porttool_list() {{ porttool_harness::list({}, porttool_params, PorttoolGlobals(), {}); }}\n",
                     pointer, !subject.stood_in.empty());

@@ -471,6 +471,62 @@ float grown(float& a, float& b) { a += b; return a; }
         EXPECT_EQ(pair_of(pairs, name)["state"], "not_run") << pair_of(pairs, name).dump(1);
 }
 
+/// C as it was written before it had prototypes, and what C++ reads otherwise.
+constexpr const char* kOldC = R"(#include QUOTED(FOLDER/units.h)
+#include <complex.h>
+int shown = 1, counted = 0;
+typedef struct item { struct item *next; float weight; int (*less)(const void *a, const void *b); FILE *log; } item;
+typedef struct { int rows, columns; float **entries; float *scale; item *first; } table;
+double squared(x)
+double x;
+{ return x * x; }
+double mixed(a, b, n, values) float a, *b; double values[]; { return a + b[0] * n + values[1]; }
+#ifndef NEWER
+float twofold(v)
+pairing *v;
+#else
+float twofold(pairing *v)
+#endif
+{ return v->first * FACTOR + v->second; }
+int counts(int new) { return new + counted; }
+int delta(int new, int class) { return new - class * 2; }
+float imaginary(float I) { return I * 2.0f; }
+float entry(const table *t, int i) { return t->entries[i][1] * t->scale[i]; }
+void scaled(table *t, float by) { int i; for (i = 0; i < t->rows && i < 4; ++i) t->scale[i] *= by; }
+float heaviest(const item *i) { return i->next ? i->next->weight : i->weight; }
+void reset(item *i, item *other) { i->next = other->next; i->weight = 0; }
+float block_sum(const void *data, int n) { const pairing *p = (const pairing *)data; return p[n].first + p[n].second; }
+int bytes(const unsigned char *data, int n) { return data[n] * 3; }
+)";
+
+TEST_F(Difftest, RunsOldCAndFollowsPointersOfStructs) {
+    write("a/units.h", "typedef struct { float first, second; } pairing;\n#define FACTOR 2\n");
+    write("b/units.h", "typedef struct { float first, second; } pairing;\n#define FACTOR 2\n");
+    const std::vector<std::string> same = {"squared", "mixed",    "twofold",   "delta", "imaginary", "entry",
+                                           "scaled",  "heaviest", "block_sum", "bytes", "reset"};
+    nlohmann::json pairs = run_on("a.c", kOldC, "b.c", kOldC, {"--inputs", "600", "--ulps", "0"});
+    for (const std::string& name : same) EXPECT_EQ(pair_of(pairs, name)["state"], "same") << pair_of(pairs, name);
+    EXPECT_EQ(pair_of(pairs, "counts")["reason"], "binding counted") << "it stands behind another one's value";
+    EXPECT_EQ(pair_of(pairs, "entry")["reason"], "arrays of at most 64 elements");
+    // Each with another text on one side: what is drawn is looked at.
+    std::string other = kOldC;
+    for (const auto& [from, to] :
+         std::initializer_list<std::pair<std::string, std::string>>{{"x * x", "x + x"},
+                                                                    {"values[1]", "values[2]"},
+                                                                    {"v->first * FACTOR", "v->first"},
+                                                                    {"class * 2", "class"},
+                                                                    {"I * 2.0f", "I * 3.0f"},
+                                                                    {"entries[i][1]", "entries[i][2]"},
+                                                                    {"scale[i] *= by", "scale[i] += by"},
+                                                                    {"i->next->weight : i", "i->weight : i"},
+                                                                    {"i->next = other->next; ", ""},
+                                                                    {"p[n].second", "p[0].second"},
+                                                                    {"data[n] * 3", "data[n] * 4"}})
+        other = replaced(other, from, to);
+    pairs = run_on("a.c", kOldC, "b.c", other, {"--inputs", "600", "--ulps", "0"});
+    for (const std::string& name : same) EXPECT_EQ(pair_of(pairs, name)["state"], "differs") << pair_of(pairs, name);
+}
+
 TEST_F(Difftest, SaysWhatIsMissing) {
     write("a/a.glsl", "float half_of(float x) { return x * 0.5; }\n");
     write("b/b.h", "inline float half_of(float x) { return x * 0.5f; }\n");

@@ -88,6 +88,43 @@ template <class T>
 constexpr NumberType kNumberType = {kind_of<T>(), std::is_same_v<T, float> || std::is_same_v<T, uint32_t>, load<T>,
                                     stored<T>};
 
+/// Memory for an array whose length is a guess: who looks behind it, or a page before it, does not come back.
+inline void* guarded(size_t size) {
+    const auto page = static_cast<size_t>(sysconf(_SC_PAGESIZE));
+    const size_t room = (size + page - 1) / page * page;
+    void* const all = mmap(nullptr, room + 2 * page, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (all == MAP_FAILED) _exit(4);
+    char* const first = static_cast<char*>(all) + page;
+    if (mprotect(first, room, PROT_READ | PROT_WRITE) != 0) _exit(4);
+    return first + room - size;
+}
+constexpr int kGuess = 64;                ///< elements, of subject.h
+constexpr int kFewGuess = 9;              ///< the same of structs, of pointers, and behind a second pointer
+constexpr size_t kMostOfGuess = 1 << 14;  ///< bytes: of what is larger there is one
+
+/// What pointers in structs lead to.
+struct Reached {
+    char* first;
+    size_t size, element;
+    const void* pointer;  ///< the one that leads there at first
+};
+constexpr int kMostReached = 4096;
+inline Reached reached[kMostReached];
+inline int reached_count = 0;
+
+/// Where a pointer leads: 0 for nowhere, 1 for the first element of its array, and so on; more for another one's, by
+/// whatever name that goes on the other side; -1 for elsewhere.
+inline uint64_t place_of(const void* at) {
+    const char* const leads = *static_cast<const char* const*>(at);
+    if (leads == nullptr) return 0;
+    for (int i = 0; i < reached_count; ++i)
+        if (leads >= reached[i].first && leads <= reached[i].first + reached[i].size)
+            return (reached[i].pointer == at ? 1 : 1000001) +
+                   static_cast<size_t>(leads - reached[i].first) / reached[i].element;
+    return ~uint64_t{0};
+}
+inline constexpr NumberType kPointerType = {"i8", false, nullptr, place_of};
+
 /// A number of the inputs or outputs in memory.
 struct Place {
     void* at;
@@ -100,15 +137,26 @@ struct Place {
 /// subjects.
 struct Layout {
     const char* direction;  ///< nullptr: for `run`
+    bool is_input;
+    int depth = 0;  ///< pointers that were followed
     int param = 0;
     size_t count = 0;   ///< numbers of this parameter
     size_t length = 0;  ///< of `path`, and of what no longer fits
     char path[1000] = {};
     Place* places = nullptr;
     size_t place_count = 0, room = 0;
+    struct Kept {
+        void** at;
+        void* value;
+    };
+    Kept* kept = nullptr;  ///< pointers that every record begins with
+    size_t kept_count = 0;
 
-    explicit Layout(const char* direction_of) : direction(direction_of) {}
-    ~Layout() { std::free(places); }
+    Layout(const char* direction_of, bool of_inputs) : direction(direction_of), is_input(of_inputs) {}
+    ~Layout() {
+        std::free(places);
+        std::free(kept);
+    }
     Layout(const Layout&) = delete;
     Layout& operator=(const Layout&) = delete;
 
@@ -133,6 +181,18 @@ struct Layout {
     void unusable(const char* why) {
         if (direction) std::printf("bad %d %s %s\n", param, why, path);
     }
+    /// A pointer that leads to an array, whose length is a guess.
+    void keep(void** at) {
+        kept = static_cast<Kept*>(std::realloc(kept, (kept_count + 1) * sizeof(Kept)));
+        if (kept == nullptr) _exit(4);
+        kept[kept_count++] = {at, *at};
+        guess();
+    }
+    /// What is visited has fewer elements than a guess else has, or is no parameter.
+    void guess() const {
+        if (direction) std::printf("guess %d x %s\n", param, path);
+    }
+    void pointer(void* at) { add(at, kPointerType); }
 
 private:
     void add(void* at, const NumberType& type) {
@@ -159,6 +219,7 @@ private:
 };
 
 inline void load_all(const Layout& layout, const uint64_t* slots) {
+    for (size_t i = 0; i < layout.kept_count; ++i) *layout.kept[i].at = layout.kept[i].value;
     const Place* const end = layout.places + layout.place_count;
     for (const Place* place = layout.places; place != end; ++place, ++slots)
         if (place->type->is_word)
@@ -174,6 +235,84 @@ inline void store_all(const Layout& layout, uint64_t* slots) {
 }
 
 template <class V, class T>
+void walk(V& v, const char* name, T& x);
+
+/// Counts the numbers of a value.
+struct Counter {
+    size_t count = 0;
+    size_t enter(const char*) { return 0; }
+    void leave(size_t) {}
+    template <class T>
+    void number(T&) {
+        ++count;
+    }
+    void unusable(const char*) {}
+};
+
+/// How many of `most` values there are to be, so that nobody has to draw too many numbers.
+template <class T>
+int count_within(int most) {
+    void* const one = std::calloc(1, sizeof(T));
+    if (one == nullptr) _exit(4);
+    Counter counter;
+    walk(counter, "", *static_cast<T*>(one));
+    std::free(one);
+    constexpr size_t kMost = 1900;
+    const auto count = static_cast<size_t>(most);
+    if (counter.count * count <= kMost && count * sizeof(T) <= kMostOfGuess) return most;
+    const size_t fits = kMost / (counter.count + 1);
+    return fits < 2 || kFewGuess * sizeof(T) > kMostOfGuess ? 1 : fits < kFewGuess ? static_cast<int>(fits) : kFewGuess;
+}
+
+/// True for what a pointer may lead to where an array of them is to be drawn.
+template <class V, class T>
+constexpr bool kIsHeld = kIsNumber<T> || std::is_pointer_v<T> || requires(V& v, T& x) {
+    porttool_visit(x, v);
+};
+
+/// A pointer in a struct: an array, behind at most two of them; nowhere beyond.
+template <class V, class T>
+void walk_pointer(V& v, T*& x) {
+    using Bare = std::remove_cv_t<T>;
+    if constexpr (!std::is_same_v<V, Layout> || std::is_function_v<Bare> || std::is_void_v<Bare>) {
+        v.unusable("pointer");
+    } else if constexpr (!kIsHeld<V, Bare>) {
+        v.unusable("pointer");
+    } else {
+        constexpr int kDeepest = 2;
+        if (v.depth == kDeepest) return;
+        int count = kIsNumber<Bare> && v.depth == 0 ? kGuess : kFewGuess;
+        count = count_within<Bare>(count);
+        if (v.is_input) {
+            const size_t size = static_cast<size_t>(count) * sizeof(Bare);
+            if (reached_count == kMostReached) return v.unusable("many");
+            x = static_cast<Bare*>(guarded(size));
+            reached[reached_count++] = {reinterpret_cast<char*>(const_cast<Bare*>(x)), size, sizeof(Bare), &x};
+            v.keep(reinterpret_cast<void**>(const_cast<Bare**>(&x)));
+        } else if (x == nullptr) {
+            return v.unusable("pointer");  // of what is returned
+        } else {
+            v.pointer(&x);
+        }
+        ++v.depth;
+        char index[24];
+        for (int i = 0; i < count; ++i) {
+            std::snprintf(index, sizeof index, "[%d]", i);
+            walk(v, index, const_cast<Bare&>(x[i]));
+        }
+        --v.depth;
+    }
+}
+
+/// A field that no text names: what cannot be filled of that stays 0.
+template <class V, class T>
+void walk_unnamed(V& v, const char* name, T& x) {
+    using Bare = std::remove_cv_t<std::remove_all_extents_t<T>>;
+    if constexpr (kIsNumber<Bare> || requires { porttool_visit(const_cast<Bare&>(*static_cast<Bare*>(nullptr)), v); })
+        walk(v, name, x);
+}
+
+template <class V, class T>
 void walk(V& v, const char* name, T& x) {
     using Bare = std::remove_cv_t<T>;
     const size_t before = v.enter(name);
@@ -186,7 +325,7 @@ void walk(V& v, const char* name, T& x) {
             walk(v, index, x[i]);
         }
     } else if constexpr (std::is_pointer_v<Bare>) {
-        v.unusable("pointer");
+        walk_pointer(v, const_cast<Bare&>(x));
     } else if constexpr (std::is_union_v<Bare>) {
         v.unusable("union");
     } else if constexpr (requires { porttool_visit(const_cast<Bare&>(x), v); }) {
@@ -284,18 +423,16 @@ void noted(int number, A... arguments) {
     (walk(noter, "", arguments), ...);
 }
 
-/// Memory for an array whose length is a guess: who looks behind it, or a page before it, does not come back.
-inline void* guarded(size_t size) {
-    const auto page = static_cast<size_t>(sysconf(_SC_PAGESIZE));
-    const size_t room = (size + page - 1) / page * page;
-    void* const all = mmap(nullptr, room + 2 * page, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (all == MAP_FAILED) _exit(4);
-    char* const first = static_cast<char*>(all) + page;
-    if (mprotect(first, room, PROT_READ | PROT_WRITE) != 0) _exit(4);
-    return first + room - size;
-}
-constexpr int kGuess = 64;                ///< elements, of subject.cpp
-constexpr size_t kMostOfGuess = 1 << 14;  ///< bytes: of what is larger there is one
+/// A function whose `void*` lead to what it takes them for; `Behind`: void for what is no such parameter.
+template <auto kFunction, class... Behind>
+struct Typed;
+template <class R, class... A, R (*kFunction)(A...), class... Behind>
+struct Typed<kFunction, Behind...> {
+    template <class P, class B>
+    using Parameter = std::conditional_t<std::is_void_v<B>, P,
+                                         std::conditional_t<std::is_const_v<std::remove_pointer_t<P>>, const B*, B*>>;
+    static R call(Parameter<A, Behind>... arguments) { return kFunction(static_cast<A>(arguments)...); }
+};
 
 /// What a parameter of type A is made from: one value, or those behind a pointer.
 template <class A>
@@ -310,12 +447,15 @@ struct Holder {
     using Stored = std::conditional_t<kUsable, Value, int>;
 
     int count = 1;
+    bool is_fewer = false;
     Stored* values = nullptr;
     std::remove_cvref_t<A> pointer = {};
 
     explicit Holder(int elements) requires kPointer : count(elements < 1 ? 1 : elements), pointer() {
         const bool is_guess = count == kGuess;
-        if (is_guess && sizeof(Stored) * kGuess > kMostOfGuess) count = 1;
+        if (is_guess && std::is_pointer_v<Stored>) count = kFewGuess;
+        if (is_guess) count = count_within<Stored>(count);
+        is_fewer = is_guess && count < kGuess;
         values = static_cast<Stored*>(
             is_guess ? guarded(static_cast<size_t>(count) * sizeof(Stored))
                      : std::calloc(static_cast<size_t>(count) + 8, sizeof(Stored) < 64 ? 64 : sizeof(Stored)));
@@ -324,17 +464,23 @@ struct Holder {
     void visit(V& v, const char* name) {
         if constexpr (!kUsable) {
             v.unusable("type");
-        } else if (count == 1) {
-            walk(v, name, *values);
+            return;
+        }
+        const size_t before = v.enter(name);
+        if (is_fewer) v.guess();
+        if (count == 1) {
+            walk(v, "", *values);
         } else {
-            const size_t before = v.enter(name);
+            constexpr int kFollowed = std::is_pointer_v<Stored> ? 1 : 0;
+            v.depth += kFollowed;
             char index[24];
             for (int i = 0; i < count; ++i) {
                 std::snprintf(index, sizeof index, "[%d]", i);
                 walk(v, index, values[i]);
             }
-            v.leave(before);
+            v.depth -= kFollowed;
         }
+        v.leave(before);
     }
     A pass() {
         pointer = reinterpret_cast<std::remove_cvref_t<A>>(values);
@@ -449,7 +595,8 @@ struct Runner<Globals, std::index_sequence<I...>, R, A...> : Frame, Held<I, A>..
     Result<Given> result;
 
     Runner(Function function_of, const Param* params, bool lists)
-        : Frame{call_function, Layout(lists ? "in" : nullptr), Layout(lists ? "out" : nullptr), Globals::kHasNotes},
+        : Frame{call_function, Layout(lists ? "in" : nullptr, true), Layout(lists ? "out" : nullptr, false),
+                Globals::kHasNotes},
           Held<I, A>(params)...,
           function(function_of) {}
 
