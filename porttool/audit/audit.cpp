@@ -142,7 +142,7 @@ public:
         std::stable_sort(out.items.begin(), out.items.end(),
                          [](const AuditItem& a, const AuditItem& b) { return a.certainty > b.certainty; });
         out.found = out.items.size();
-        if (choice_.limit <= kFew) drop_unlikely(out.items);
+        if (choice_.limit <= kFew && out.pairs > kFewPairs) drop_unlikely(out.items);
         const size_t before = out.items.size();
         add_patches(out.items);
         out.found -= before - out.items.size();  // what needs no port is no item
@@ -156,8 +156,8 @@ private:
     static void drop_unlikely(std::vector<AuditItem>& items) {
         const bool any = std::any_of(items.begin(), items.end(), [](const AuditItem& one) { return one.commit; });
         if (any)
-            std::erase_if(items,
-                          [](const AuditItem& one) { return one.certainty < (one.commit ? kLikely : kLikelyToday); });
+            std::erase_if(
+                items, [](const AuditItem& one) { return one.certainty < (one.commit ? kLikelyItem : kLikelyToday); });
     }
 
     /// Of as many items as are shown; those that need no port, as `sync` says, go.
@@ -266,7 +266,7 @@ private:
     }
 
     static constexpr size_t kFew = 20;            ///< whoever asks for no more than that wants what is likely
-    static constexpr double kLikely = 0.45;       ///< half of those just above were real where that was counted
+    static constexpr size_t kFewPairs = 20;       ///< whoever looks at so few looks at all that there is
     static constexpr double kLikelyToday = 0.29;  ///< the same for what no commit tells of: twins, but for one place
     static constexpr size_t kMostPatches = 100;   ///< beyond, nobody reads them, and each takes a while
 

@@ -14,6 +14,9 @@
 
 namespace porttool {
 
+/// Of items less certain than this fewer than half were real where that was counted.
+inline constexpr double kLikelyItem = 0.45;
+
 /// What a user asks of the audit.
 struct AuditChoice : ProjectChoice {
     std::string since;  ///< a revision or a day; may be empty

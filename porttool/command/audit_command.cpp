@@ -33,7 +33,7 @@ void declare_audit(Declare& declare, Options& options) {
     declare_sides(declare, options);
     declare.text("--since", options.since, "REV|DATE",
                  "Read only what came after this commit, or from this day (YYYY-MM-DD) on");
-    declare.text("--limit", options.limit, "N", "Show at most so many items (20); from 21 on also those under 45 %");
+    declare.text("--limit", options.limit, "N", "Show at most so many items (20); from 21 on, and of at most 20 pairs, also those under 45 %");
     declare.flag("--run", options.runs,
                  "Build and run both sides of what is listed, code of the repository: an input on which they differ");
 }

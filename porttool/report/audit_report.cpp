@@ -55,6 +55,13 @@ std::string more_pairs(const AuditItem& item) {
     return item.same.empty() ? "" : fmt::format("the same in {} more pairs", item.same.size());
 }
 
+/// True where the items begin of which fewer than half were real where that was counted.
+bool begins_doubt(const Audit& audit, size_t i) {
+    return audit.items[i].certainty < kLikelyItem && (i == 0 || audit.items[i - 1].certainty >= kLikelyItem);
+}
+
+constexpr const char* kDoubt = "below 45 %: of such items fewer than half were real where that was counted";
+
 std::string tail(const Audit& audit) {
     return fmt::format("{} of {} items; {} pairs, {} commits read{}", audit.items.size(), audit.found, audit.pairs,
                        audit.commits,
@@ -119,6 +126,7 @@ std::string audit_text(const Audit& audit) {
     std::string out;
     for (size_t i = 0; i < audit.items.size(); ++i) {
         const AuditItem& item = audit.items[i];
+        if (begins_doubt(audit, i)) out += fmt::format("-- {} --\n", kDoubt);
         out += fmt::format("{}. {:.0f} %  {}\n", i + 1, 100 * item.certainty, terminal_text(item.summary));
         const auto line = [&](const char* name, const std::string& text) {
             if (!text.empty()) out += fmt::format("    {:<8}{}\n", name, terminal_text(text));
@@ -134,6 +142,7 @@ std::string audit_markdown(const Audit& audit) {
     std::string out = "# Audit of a port\n";
     for (size_t i = 0; i < audit.items.size(); ++i) {
         const AuditItem& item = audit.items[i];
+        if (begins_doubt(audit, i)) out += fmt::format("\n*{}*\n", kDoubt);
         out += fmt::format("\n{}. **{:.0f} %** {}\n", i + 1, 100 * item.certainty, markdown_cell(item.summary));
         const auto line = [&](const char* name, const std::string& text) {
             if (!text.empty()) out += fmt::format("   - {}: {}\n", name, markdown_text(text));
@@ -151,6 +160,7 @@ std::string audit_html(const Audit& audit) {
     std::string body = "<p class=\"fine\">" + html_text(tail(audit)) + "</p>\n";
     for (size_t i = 0; i < audit.items.size(); ++i) {
         const AuditItem& item = audit.items[i];
+        if (begins_doubt(audit, i)) body += fmt::format("<p class=\"fine\">{}</p>\n", kDoubt);
         body += fmt::format("<section>\n<h2>{}. {:.0f}&nbsp;%</h2>\n<p><code>{}</code></p>\n", i + 1,
                             100 * item.certainty, html_text(item.summary));
         const auto line = [&](const char* name, const std::string& text) {
