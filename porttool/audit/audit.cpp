@@ -134,6 +134,8 @@ public:
         out.commits = walked.steps.size();
         out.shallow = walked.cut;
         out.squashed = walked.steps.size() == 1 && walked.steps.front().parents == 0;
+        out.unedited =
+            std::all_of(lineages.begin(), lineages.end(), [](const auto& one) { return one.second.edits().empty(); });
         std::vector<FoundEdit> found = read_pairs(lineages, dialect);
         const Habits habits = habits_of(found, differing_, today_.pairs.size());
         out.items = ranked(std::move(found), walked, today_, habits, alike_);

@@ -47,6 +47,7 @@ struct Audit {
     size_t commits = 0;  ///< read
     bool shallow = false;
     bool squashed = false;  ///< there is one commit
+    bool unedited = false;  ///< none that was read edited a unit of either side
 };
 
 /// Reads both sides and their past. Throws CannotDo.

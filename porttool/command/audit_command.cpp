@@ -33,7 +33,8 @@ void declare_audit(Declare& declare, Options& options) {
     declare_sides(declare, options);
     declare.text("--since", options.since, "REV|DATE",
                  "Read only what came after this commit, or from this day (YYYY-MM-DD) on");
-    declare.text("--limit", options.limit, "N", "Show at most so many items (20); from 21 on, and of at most 20 pairs, also those under 45 %");
+    declare.text("--limit", options.limit, "N",
+                 "Show at most so many items (20); from 21 on, and of at most 20 pairs, also those under 45 %");
     declare.flag("--run", options.runs,
                  "Build and run both sides of what is listed, code of the repository: an input on which they differ");
 }
@@ -52,6 +53,9 @@ Outcome run_audit(const Options& options, Workplace& place) {
                      "Fetch the rest: git fetch --unshallow\n";
     if (found.squashed && !options.quiet)
         place.err << "porttool: this history has a single commit; there are no edits of the past in it\n";
+    else if (found.unedited && !found.shallow && !options.quiet)
+        place.err << "porttool: none of the " << found.commits
+                  << " commits read edited a function of either side; there are no edits of the past in them\n";
     return {formatted_audit(found, options.format), found.items.empty() ? 0 : 1};
 }
 

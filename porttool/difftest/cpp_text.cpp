@@ -304,6 +304,10 @@ private:
             while (close < end && view(close) != "]") ++close;
             if (close + 1 < end && view(close + 1) == "(") return braced(close + 1, end);
         }
+        if (!manner_.recursive.empty() && word == manner_.recursive && (next == "(" || next == "<")) {
+            append(manner_.rename, apart);
+            return i + 1;
+        }
         const std::string wide = manner_.widens ? widened(word) : std::string();
         append(wide.empty() ? word : wide, apart);
         return i + 1;

@@ -19,6 +19,7 @@ struct CppManner {
         Language::Unknown;                 ///< of the function that is run: a header that it shares with C++ is read so
     bool widens = false;                   ///< floats become doubles, to tell rounding from a difference
     std::string rename;                    ///< what the function of the piece is called; "" for its own name
+    std::string_view recursive = {};       ///< the name by which that function calls itself; "" where it does not
     std::optional<std::string> body = {};  ///< in the place of the function's own
 };
 

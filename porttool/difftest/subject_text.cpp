@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
@@ -67,6 +68,10 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
     if (prelude_names().contains(subject.function->name)) used.insert(subject.function->name);
     manner.body.reset();
     manner.rename = "porttool_subject";
+    const bool is_overloaded =
+        std::any_of(subject.closure.pieces.begin(), subject.closure.pieces.end(),
+                    [&](const Piece& piece) { return piece.definition->name == subject.function->name; });
+    if (!is_overloaded && !prelude_names().contains(subject.function->name)) manner.recursive = subject.function->name;
     std::string out = fmt::format("#line 1 \"subject_{}\"\n", number);
     for (const auto& [name, value] : subject.assumed) {
         out += fmt::format("#define {} {}\n", name, value);

@@ -817,6 +817,23 @@ TEST_F(Audit, WithoutAPastOnlyWhatDiffersToday) {
     EXPECT_LT(found[0]["certainty"], 0.5);
 }
 
+TEST_F(Audit, SaysWhereNoCommitEditedASide) {
+    write("README", "Two sides.\n");
+    commit("Nothing of the sides", 2);
+    CommandRun got = audit();
+    EXPECT_EQ(got.exit_code, 0);
+    EXPECT_NE(got.err.find("none of the 2 commits read edited a function"), std::string::npos) << got.err;
+    EXPECT_EQ(audit({"--quiet"}).err, "");
+    // Files that git does not know have no past either.
+    write("new/a.cu", kCudaShade);
+    write("old/a.cpp", kCppShade);
+    got = porttool({"audit", "--source", "new/*", "--target", "old/*"});
+    EXPECT_NE(got.err.find("none of the 2 commits read edited a function"), std::string::npos) << got.err;
+    change("gpu/shade.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 3);
+    EXPECT_EQ(audit().err, "");
+}
+
 TEST_F(Audit, ASlipIsToldOfSidesThatAreHardlyAlike) {
     write(
         "gpu/frame.cu",

@@ -497,13 +497,14 @@ float heaviest(const item *i) { return i->next ? i->next->weight : i->weight; }
 void reset(item *i, item *other) { i->next = other->next; i->weight = 0; }
 float block_sum(const void *data, int n) { const pairing *p = (const pairing *)data; return p[n].first + p[n].second; }
 int bytes(const unsigned char *data, int n) { return data[n] * 3; }
+int again(int n) { return n < 1 || n > 9 ? 1 : n * again(n - 1); }
 )";
 
 TEST_F(Difftest, RunsOldCAndFollowsPointersOfStructs) {
     write("a/units.h", "typedef struct { float first, second; } pairing;\n#define FACTOR 2\n");
     write("b/units.h", "typedef struct { float first, second; } pairing;\n#define FACTOR 2\n");
     const std::vector<std::string> same = {"squared", "mixed",    "twofold",   "delta", "imaginary", "entry",
-                                           "scaled",  "heaviest", "block_sum", "bytes", "reset"};
+                                           "scaled",  "heaviest", "block_sum", "bytes", "reset",     "again"};
     nlohmann::json pairs = run_on("a.c", kOldC, "b.c", kOldC, {"--inputs", "600", "--ulps", "0"});
     for (const std::string& name : same) EXPECT_EQ(pair_of(pairs, name)["state"], "same") << pair_of(pairs, name);
     EXPECT_EQ(pair_of(pairs, "counts")["reason"], "binding counted") << "it stands behind another one's value";
@@ -521,7 +522,8 @@ TEST_F(Difftest, RunsOldCAndFollowsPointersOfStructs) {
                                                                     {"i->next->weight : i", "i->weight : i"},
                                                                     {"i->next = other->next; ", ""},
                                                                     {"p[n].second", "p[0].second"},
-                                                                    {"data[n] * 3", "data[n] * 4"}})
+                                                                    {"data[n] * 3", "data[n] * 4"},
+                                                                    {"n * again", "n + again"}})
         other = replaced(other, from, to);
     pairs = run_on("a.c", kOldC, "b.c", other, {"--inputs", "600", "--ulps", "0"});
     for (const std::string& name : same) EXPECT_EQ(pair_of(pairs, name)["state"], "differs") << pair_of(pairs, name);
