@@ -16,6 +16,7 @@
 #include "porttool/compare/lone_edit.h"
 #include "porttool/compare/number_kinds.h"
 #include "porttool/compare/own_fields.h"
+#include "porttool/compare/own_parts.h"
 #include "porttool/compare/statement_patterns.h"
 #include "porttool/compare/struct_fields.h"
 #include "porttool/compare/switch_cases.h"
@@ -103,7 +104,7 @@ private:
         const bool were_same = had_same_values();
         if (kind == UnitKind::Struct && !were_same) return false;
         ComparedValues values = compare_values(kind, now_.source, now_.target, dialect_);
-        if (values.same) {
+        if (values.same || (changed_both() && same_but_for_own_parts(now_))) {
             if (changed_both()) out_.standing = Standing::Equivalent;
             return changed_both();
         }
@@ -118,6 +119,13 @@ private:
         return true;
     }
 
+    /// True if both have one value, each in names with a part of its own: `SIZE_CUDA` and `SIZE_HIP`.
+    bool same_but_for_own_parts(const BySide<Words>& texts) const {
+        const OwnParts parts = own_parts({{std::string(pair_.source.id)}, {std::string(pair_.target.id)}});
+        const Words source = with_parts_there(texts.source, texts.target, parts);
+        return compare_values(pair_.source.kind, source, texts.target, dialect_).same;
+    }
+
     /// True if the lists differed before, and an edit of one side alone made them differ less.
     bool list_has_caught_up() const {
         if (pair_.source.kind != UnitKind::Constant || changed_both()) return false;
@@ -128,7 +136,9 @@ private:
     /// True if both had the same value or fields when they were last in step.
     bool had_same_values() const {
         const auto then = [&](Side side) { return before_[side].empty() ? now_[side] : before_[side]; };
-        return compare_values(pair_.source.kind, then(Side::Source), then(Side::Target), dialect_).same;
+        const BySide<Words> texts{then(Side::Source), then(Side::Target)};
+        return compare_values(pair_.source.kind, texts.source, texts.target, dialect_).same ||
+               same_but_for_own_parts(texts);
     }
 
     void compare_both() {

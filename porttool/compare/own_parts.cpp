@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string_view>
 
-#include "porttool/normal/normal_text.h"
 #include "porttool/text/letters.h"
 
 namespace porttool {
@@ -98,6 +98,20 @@ void join_own_parts(AlignedText& source, AlignedText& target, const OwnParts& pa
     }
     for (size_t i = 0; i < target.words.size(); ++i)
         if (const auto name = joined.find(target.words[i]); name != joined.end()) target.common[i] = name->second;
+}
+
+Words with_parts_there(Words words, const Words& there, const OwnParts& parts) {
+    const std::set<std::string_view> here(words.begin(), words.end()), other(there.begin(), there.end());
+    for (std::string_view& word : words) {
+        if (!is_word_token(word) || other.contains(word)) continue;
+        for (const std::string& name : with_part_there(std::string(word), parts)) {
+            const auto found = other.find(name);
+            if (found == other.end() || here.contains(name)) continue;
+            word = *found;
+            break;
+        }
+    }
+    return words;
 }
 
 }  // namespace porttool

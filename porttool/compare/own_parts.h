@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "porttool/compare/alignment.h"
+#include "porttool/normal/normal_text.h"
 #include "porttool/scan/side.h"
 
 namespace porttool {
@@ -25,5 +26,10 @@ OwnParts own_parts(const BySide<std::vector<std::string>>& names);
 /// Gives words one common number that are the same name but for such parts, and each stand in one of the two texts
 /// alone: `DATA_SETUP_CUDA` and `DATA_SETUP_HIP`.
 void join_own_parts(AlignedText& source, AlignedText& target, const OwnParts& parts);
+
+/// `words` with the other side's name for each that is the same but for such parts, and stands in one text alone:
+///
+///     words  dim3 t ( SIZE_CUDA , 1 )      there  dim3 t ( SIZE_HIP , 1 )      becomes  dim3 t ( SIZE_HIP , 1 )
+Words with_parts_there(Words words, const Words& there, const OwnParts& parts);
 
 }  // namespace porttool

@@ -9,6 +9,7 @@
 
 #include "porttool/compare/alignment.h"
 #include "porttool/compare/asides.h"
+#include "porttool/compare/own_parts.h"
 #include "porttool/compare/paired_names.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/locals.h"
@@ -79,22 +80,29 @@ std::set<std::string_view> used_words(const NormalText& text) {
     return out;
 }
 
+/// The words of a text, apart by blanks.
+Words words_of(std::string_view text) {
+    Words out;
+    for (size_t at = text.find_first_not_of(' '); at < text.size(); at = text.find_first_not_of(' ', at)) {
+        const size_t end = std::min(text.find(' ', at), text.size());
+        out.push_back(text.substr(at, end - at));
+        at = end;
+    }
+    return out;
+}
+
 /// What a declaration gives its word, numbers by their values: `1.5` of `const float gain = 1.5f` and of
 /// `#define AMPLIFY 1.5`; of a type or a block all that it says.
 std::string value_of(std::string_view text) {
     const size_t sign = text.rfind(" = ");
     if (sign != std::string_view::npos) {
         text.remove_prefix(sign + 3);
-    } else if (text.starts_with("# define ")) {
-        text.remove_prefix(std::min(text.size(), text.find(' ', std::string_view("# define ").size())));
+    } else if (const size_t name = text.find("define "); name != text.npos && text.find_first_not_of("# ") == name) {
+        text.remove_prefix(std::min(text.size(), text.find(' ', name + std::string_view("define ").size())));
     }
     std::string out;
-    for (size_t at = text.find_first_not_of(' '); at < text.size(); at = text.find_first_not_of(' ', at)) {
-        const size_t end = std::min(text.find(' ', at), text.size());
-        const std::string_view word = text.substr(at, end - at);
+    for (const std::string_view word : words_of(text))
         out += (out.empty() ? "" : " ") + (is_number_token(word) ? number_value(word) : std::string(word));
-        at = end;
-    }
     return out;
 }
 
@@ -163,7 +171,7 @@ void MacroEdits::judge(JudgedPair& pair, const LockedPair* line) {
     if (line == nullptr || !facts_.files) return;
     BySide<std::string> edits;
     for (const Side side : kBothSides) edits[side] = edit_of(pair, *line, side);
-    if (edits.source == edits.target) edits = {};  // none, or both sides did the same
+    if (edits.source == edits.target || say_the_same(pair, edits)) edits = {};  // none, or both sides did the same
     BySide<std::string> declared;
     for (const Side side : kBothSides) declared[side] = declared_edit(pair, *line, side);
     const bool both = !declared.source.empty() && !declared.target.empty();
@@ -307,6 +315,22 @@ std::multiset<std::string> MacroEdits::values_of(const JudgedPair& pair, Side si
         if (const auto declared = macros(side).first_seen(pair.unit[side]->file, word))
             out.insert(value_of(declared->text));
     return out;
+}
+
+/// True if the macros that both sides changed mean the same now, each in names with a part of its own: `clear_cuda(x)`
+/// of `CLEAR_CUDA` and `clear_hip(x)` of `CLEAR_HIP`. A macro that is gone means nothing.
+bool MacroEdits::say_the_same(const JudgedPair& pair, const BySide<std::string>& edits) {
+    BySide<std::multiset<std::string>> values;
+    for (const Side side : kBothSides) {
+        const size_t words = words_with_macros(edits[side]).size();
+        values[side] = values_of(pair, side, edits[side]);
+        if (words == 0 || values[side].size() != words) return false;
+    }
+    const std::string source = fmt::format("{}", fmt::join(values.source, " ; ")),
+                      target = fmt::format("{}", fmt::join(values.target, " ; "));
+    const OwnParts parts = own_parts({{pair.id.source}, {pair.id.target}});
+    return with_parts_there(words_of(source), words_of(target), parts) == words_of(target) &&
+           stand_for_each_other(pair, edits);
 }
 
 /// False if one word was edited on each side, and the texts laid side by side have another name where it stands.

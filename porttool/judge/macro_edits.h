@@ -43,6 +43,7 @@ private:
     bool leads_to(const UnitState& unit, Side side, std::string_view word);
     bool is_told_elsewhere(Side side, const WordMacro& declared);
     std::multiset<std::string> values_of(const JudgedPair& pair, Side side, const std::string& edit);
+    bool say_the_same(const JudgedPair& pair, const BySide<std::string>& edits);
     bool stand_for_each_other(const JudgedPair& pair, const BySide<std::string>& edits) const;
     std::string now_of(const JudgedPair& pair, const LockedPair& line, Side side);
     void tell_unlike_numbers(JudgedPair& pair, const LockedPair& line);

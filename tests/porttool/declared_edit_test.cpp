@@ -133,5 +133,25 @@ TEST(DeclaredEdits, BothSidesAndPairs) {
     EXPECT_EQ(found_after(source, target, {to(source, "1.6f"), to(target, "1.7f")}).size(), 2u);
 }
 
+TEST(DeclaredEdits, MacrosWithThePlatformInTheirNames) {
+    const auto text = [](const std::string& capitals, const std::string& small, const std::string& call) {
+        return "#define CLEAR_" + capitals + " " + call + "_" + small + "(o);\nvoid f(float* o) { CLEAR_" + capitals +
+               " }\n";
+    };
+    using Found = std::vector<std::string>;
+    const auto after = [&](const std::string& source, const std::string& target) {
+        return found_after(text("CUDA", "cuda", "drop"), text("HIP", "hip", "drop"),
+                           {text("CUDA", "cuda", source), text("HIP", "hip", target)});
+    };
+    EXPECT_EQ(after("give", "give"), Found{});
+    EXPECT_EQ(after("give", "keep").size(), 2u);
+    EXPECT_EQ(after("give", "drop"), Found{"error source-changed"});
+    EXPECT_EQ(found_after(text("CUDA", "cuda", "drop"), text("OTHER", "other", "drop"),
+                          {text("CUDA", "cuda", "give"), text("OTHER", "other", "give")})
+                  .size(),
+              2u)
+        << "nothing in the pair's names says that they stand for each other";
+}
+
 }  // namespace
 }  // namespace porttool::testing::declared_edit_test

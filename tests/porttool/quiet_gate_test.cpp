@@ -305,6 +305,12 @@ TEST(QuietGate, ConstantsThatWereNeverTheSame) {
     EXPECT_EQ(level("8", "4", "9", "5"), "constant-differs warning ");
     EXPECT_EQ(level("8", "4", "4", "4"), "source-changed error ");
     EXPECT_EQ(level("8", "4", "6", "6"), "");
+    // The same value in names with the platform in them.
+    EXPECT_EQ(level("2 * SIZE_CUDA", "2 * SIZE_HIP", "3 * SIZE_CUDA", "3 * SIZE_HIP"), "");
+    EXPECT_EQ(level("2 * SIZE_CUDA", "2 * SIZE_HIP", "3 * SIZE_CUDA", "4 * SIZE_HIP"), "constant-differs error ");
+    EXPECT_EQ(level("2 * SIZE_CUDA", "2 * SIZE_HIP", "3 * SIZE_CUDA", "2 * SIZE_HIP"), "constant-differs error ");
+    EXPECT_EQ(level("2 * SIZE_CUDA", "2 * SIZE_HIP", "3 * SIZE_CUDA - WIDE_HIP", "3 * WIDE_HIP - SIZE_HIP"),
+              "constant-differs error ");
 }
 
 TEST(QuietGate, WhatManyFunctionsHandOnIsToldOnce) {
