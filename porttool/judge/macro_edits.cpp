@@ -80,8 +80,8 @@ std::set<std::string_view> used_words(const NormalText& text) {
     return out;
 }
 
-/// The words of a text, apart by blanks.
-Words words_of(std::string_view text) {
+/// The words of a text in normal form.
+Words spaced_words(std::string_view text) {
     Words out;
     for (size_t at = text.find_first_not_of(' '); at < text.size(); at = text.find_first_not_of(' ', at)) {
         const size_t end = std::min(text.find(' ', at), text.size());
@@ -101,7 +101,7 @@ std::string value_of(std::string_view text) {
         text.remove_prefix(std::min(text.size(), text.find(' ', name + std::string_view("define ").size())));
     }
     std::string out;
-    for (const std::string_view word : words_of(text))
+    for (const std::string_view word : spaced_words(text))
         out += (out.empty() ? "" : " ") + (is_number_token(word) ? number_value(word) : std::string(word));
     return out;
 }
@@ -329,7 +329,7 @@ bool MacroEdits::say_the_same(const JudgedPair& pair, const BySide<std::string>&
     const std::string source = fmt::format("{}", fmt::join(values.source, " ; ")),
                       target = fmt::format("{}", fmt::join(values.target, " ; "));
     const OwnParts parts = own_parts({{pair.id.source}, {pair.id.target}});
-    return with_parts_there(words_of(source), words_of(target), parts) == words_of(target) &&
+    return with_parts_there(spaced_words(source), spaced_words(target), parts) == spaced_words(target) &&
            stand_for_each_other(pair, edits);
 }
 
