@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,21 @@ Fields fields_of(const Words& text) {
     return out;
 }
 
+/// A field's name in the common vocabulary, without `m_`.
+std::string plain_field(std::string_view name) {
+    constexpr std::string_view kMember = "m_";
+    return folded(name.starts_with(kMember) ? name.substr(kMember.size()) : name);
+}
+
+/// Where a struct's list of bases begins, and the brace behind it; the brace twice if it has none.
+std::pair<size_t, size_t> bases_of(const Words& text) {
+    size_t open = 0;
+    while (open < text.size() && text[open] != "{") ++open;
+    size_t first = 0;
+    while (first < open && text[first] != ":") ++first;
+    return {first, open};
+}
+
 using TypedFields = std::vector<std::pair<std::string, std::string>>;
 
 /// Names and types of a struct's fields, in their order.
@@ -48,7 +64,7 @@ TypedFields typed_fields(const Words& text) {
             if (is_word_token(field.common[i])) name = i;
         std::string type;
         for (size_t i = 0; i < field.common.size(); ++i) type += i == name ? "@ " : field.common[i] + " ";
-        out.emplace_back(name < field.common.size() ? field.common[name] : std::string(), std::move(type));
+        out.emplace_back(name < field.common.size() ? plain_field(field.common[name]) : std::string(), std::move(type));
     }
     return out;
 }
@@ -67,6 +83,24 @@ std::map<std::string, std::string> only_gained(const TypedFields& before, const 
 }
 
 }  // namespace
+
+std::string_view only_changes_base(const Words& before, const Words& now) {
+    const auto [first_then, open_then] = bases_of(before);
+    const auto [first_now, open_now] = bases_of(now);
+    const bool had = first_then < open_then, has = first_now < open_now;
+    if (had == has) return {};
+    const auto at = [](const Words& text, size_t i) { return text.begin() + static_cast<std::ptrdiff_t>(i); };
+    if (!std::equal(before.begin(), at(before, first_then), now.begin(), at(now, first_now)) ||
+        !std::equal(at(before, open_then), before.end(), at(now, open_now), now.end()))
+        return {};
+    const Words& text = had ? before : now;
+    std::string_view out;
+    for (size_t i = had ? first_then : first_now; i < (had ? open_then : open_now) && text[i] != "<"; ++i) {
+        if (text[i] == ",") return {};
+        if (is_word_token(text[i])) out = text[i];
+    }
+    return out;
+}
 
 bool gain_the_same_fields(const PairTexts& texts) {
     const TypedFields source = typed_fields(texts.source_before), target = typed_fields(texts.target_before);

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/own_switches.h"
 
+#include <map>
 #include <set>
 #include <string_view>
 
+#include "porttool/language/words.h"
 #include "porttool/normal/directive_end.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
@@ -27,9 +30,16 @@ bool asks_for_own_macro(const Words& words, size_t first, size_t end, const Name
     return true;
 }
 
-/// A text without the lines of switches whose macros are not among `known`.
-std::vector<std::string> without_switches(const Words& words, const Names& known) {
-    std::vector<bool> goes(words.size());
+/// The words of the lines of switches whose macros are not among `known`, and what each of the others is under: the
+/// condition of such a switch, or "".
+struct OwnSwitches {
+    std::vector<bool> are_lines;
+    std::vector<std::string> under;
+
+    OwnSwitches(const Words& words, const Names& known);
+};
+
+OwnSwitches::OwnSwitches(const Words& words, const Names& known) : are_lines(words.size()), under(words.size()) {
     std::vector<OpenSwitch> open;
     for (size_t i = 0; i + 1 < words.size(); ++i) {
         if (words[i] != "#") continue;
@@ -43,13 +53,23 @@ std::vector<std::string> without_switches(const Words& words, const Names& known
             const OpenSwitch last = open.back();
             open.pop_back();
             if (!last.is_own) continue;
-            for (size_t k = last.first; k < last.end; ++k) goes[k] = true;
-            goes[i] = goes[i + 1] = true;
+            for (size_t k = last.first; k < last.end; ++k) are_lines[k] = true;
+            are_lines[i] = are_lines[i + 1] = true;
+            std::string condition;
+            for (size_t k = last.first + 2; k < last.end; ++k)
+                if (!is_one_of(words[k], {"defined", "(", ")"})) (condition += words[k]) += ' ';
+            for (size_t k = last.end; k < i; ++k)
+                if (under[k].empty()) under[k] = condition;
         }
     }
+}
+
+/// A text without the lines of switches whose macros are not among `known`.
+std::vector<std::string> without_switches(const Words& words, const Names& known) {
+    const OwnSwitches own(words, known);
     std::vector<std::string> out;
     for (size_t i = 0; i < words.size(); ++i)
-        if (!goes[i]) out.emplace_back(words[i]);
+        if (!own.are_lines[i]) out.emplace_back(words[i]);
     return out;
 }
 
@@ -59,7 +79,51 @@ Names names_of(const Words& before, const Words& now) {
     return out;
 }
 
+struct SideTexts {
+    const Words &before, &now;
+    Names there;  ///< the other side's
+};
+
+SideTexts texts_of(const PairTexts& texts, Side side) {
+    if (side == Side::Source)
+        return {texts.source_before, texts.source_now, names_of(texts.target_before, texts.target_now)};
+    return {texts.target_before, texts.target_now, names_of(texts.source_before, texts.source_now)};
+}
+
 }  // namespace
+
+std::vector<std::string_view> lone_own_switches(const PairTexts& texts, Side side) {
+    const SideTexts own = texts_of(texts, side);
+    const Names then(own.before.begin(), own.before.end());
+    const OwnSwitches switches(own.now, own.there);
+    std::map<std::string_view, size_t> asked;
+    for (size_t i = 1; i < own.now.size(); ++i) {
+        const std::string_view word = own.now[i];
+        const bool is_macro =
+            switches.are_lines[i] && own.now[i - 1] != "#" && is_word_token(word) && word != "defined";
+        if (is_macro && !then.contains(word)) ++asked[word];
+    }
+    std::vector<std::string_view> out;
+    for (const auto& [macro, times] : asked)
+        if (times == 1) out.push_back(macro);
+    return out;
+}
+
+bool own_switches_disagree(const PairTexts& texts, Side side) {
+    const SideTexts own = texts_of(texts, side);
+    const Names then(own.before.begin(), own.before.end());
+    const OwnSwitches switches(own.now, own.there);
+    std::map<std::string_view, std::string_view> under;
+    for (size_t i = 0; i < own.now.size(); ++i) {
+        const std::string_view word = own.now[i];
+        const bool is_member = i > 0 && (own.now[i - 1] == "." || own.now[i - 1] == "->");
+        const bool came = is_word_token(word) && !is_member && !then.contains(word) && !is_type_word(word);
+        if (!came || switches.are_lines[i] || switches.under[i].empty() || word_is(word, kKeyword)) continue;
+        const auto [known, is_first] = under.emplace(word, switches.under[i]);
+        if (!is_first && known->second != switches.under[i]) return true;
+    }
+    return false;
+}
 
 std::optional<SwitchlessTexts> without_own_switches(const PairTexts& texts) {
     const Names of_source = names_of(texts.source_before, texts.source_now),

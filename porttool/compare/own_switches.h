@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "porttool/compare/meaning.h"
@@ -20,5 +21,15 @@ struct SwitchlessTexts {
     std::vector<std::string> source_before, source_now, target_before, target_now;
 };
 std::optional<SwitchlessTexts> without_own_switches(const PairTexts& texts);
+
+/// The macros that such switches of a side ask for, that its text did not know before, and asks for but once now: with
+/// another letter it would be the same.
+std::vector<std::string_view> lone_own_switches(const PairTexts& texts, Side side);
+
+/// True if a name that came to a side stands under two such switches that ask for different macros: what one of them
+/// declares, the other uses.
+///
+///     f ( # ifdef HAS_FOG int fog # endif ) { # ifdef HAS_SUN y = fog ; # endif }
+bool own_switches_disagree(const PairTexts& texts, Side side);
 
 }  // namespace porttool

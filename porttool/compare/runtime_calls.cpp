@@ -86,6 +86,7 @@ bool drives_device(const Words& text) {
         if (text[i] == "<" && text[i + 1] == "<" && text[i + 2] == "<") return true;
         const bool is_member = text[i] == "." || text[i] == "->";
         if (is_member && (text[i + 1] == "submit" || text[i + 1] == "parallel_for")) return true;
+        if (text[i] == "pragma" && text[i + 1] == "omp" && text[i + 2] == "target") return true;
     }
     return false;
 }

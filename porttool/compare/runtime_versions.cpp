@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/runtime_versions.h"
 
+#include <string>
 #include <string_view>
 #include <vector>
+
+#include "porttool/compare/runtime_calls.h"
+#include "porttool/text/letters.h"
 
 namespace porttool {
 namespace {
@@ -93,6 +97,31 @@ bool step_past_row(const Words& before, size_t& i, const Words& now, size_t& k) 
     return false;
 }
 
+/// A runtime's name without what tells the runtime and the version, in small letters: `dotex` of `hipblasDotEx_64`.
+std::string stem_of(std::string_view name) {
+    if (!is_runtime_call(name)) return {};
+    for (const std::string_view runtime :
+         {"cublas", "hipblas", "cusparse", "hipsparse", "cusolver", "hipsolver", "cuda", "hip"})
+        if (name.starts_with(runtime)) {
+            name.remove_prefix(runtime.size());
+            break;
+        }
+    for (const std::string_view version : {"_v2", "_v3", "_64", "_t"})
+        if (name.ends_with(version)) {
+            name.remove_suffix(version.size());
+            break;
+        }
+    return in_small_letters(name);
+}
+
+/// `hipblasDotEx_v2` and `hipblasDotEx_64`, `hipblasDatatype_t` and `hipDataType`: of one vendor.
+bool are_versions(std::string_view before, std::string_view now) {
+    constexpr size_t kLeast = 4;  // letters that tell
+    if (before.substr(0, 2) != now.substr(0, 2)) return false;
+    const std::string stem = stem_of(before);
+    return stem.size() >= kLeast && stem == stem_of(now);
+}
+
 }  // namespace
 
 bool only_follows_runtime(const Words& before, const Words& now) {
@@ -101,7 +130,8 @@ bool only_follows_runtime(const Words& before, const Words& now) {
     while (i < before.size() && k < now.size()) {
         if (step_past_row(before, i, now, k)) {
             any = true;
-        } else if (before[i] == now[k]) {
+        } else if (before[i] == now[k] || are_versions(before[i], now[k])) {
+            any = any || before[i] != now[k];
             ++i;
             ++k;
         } else {

@@ -10,6 +10,8 @@ namespace porttool {
 ///
 ///     before      sum += group.shuffle_down(sum, 1);                  x = __shfl_down(x, 1);
 ///     now         sum += sycl::shift_group_left(group, sum, 1);       x = __shfl_down_sync(mask, x, 1);
+///
+/// What differs in a mark of its version alone (`hipblasDotEx_v2`, `hipblasDotEx_64`) is the same, too.
 bool only_follows_runtime(const Words& before, const Words& now);
 
 }  // namespace porttool

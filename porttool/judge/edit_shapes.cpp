@@ -16,22 +16,6 @@
 namespace porttool {
 namespace {
 
-/// The words and signs of a statement as it is shown.
-std::vector<std::string_view> words_of(std::string_view text) {
-    std::vector<std::string_view> out;
-    for (size_t i = 0; i < text.size();) {
-        size_t end = i;
-        const bool is_number = is_number_token(text.substr(i, 2));
-        while (end < text.size() && (is_word_token(text.substr(end, 1)) || is_number_token(text.substr(end, 1)) ||
-                                     (is_number && text[end] == '.')))
-            ++end;
-        if (end == i) ++end;
-        if (text[i] != ' ') out.push_back(text.substr(i, end - i));
-        i = end;
-    }
-    return out;
-}
-
 using WordList = std::vector<std::string_view>;
 
 /// Without the parameters and arguments that are `name`, or declare it.
@@ -131,6 +115,21 @@ private:
 
 }  // namespace
 
+std::vector<std::string_view> shown_words(std::string_view text) {
+    std::vector<std::string_view> out;
+    for (size_t i = 0; i < text.size();) {
+        size_t end = i;
+        const bool is_number = is_number_token(text.substr(i, 2));
+        while (end < text.size() && (is_word_token(text.substr(end, 1)) || is_number_token(text.substr(end, 1)) ||
+                                     (is_number && text[end] == '.')))
+            ++end;
+        if (end == i) ++end;
+        if (text[i] != ' ') out.push_back(text.substr(i, end - i));
+        i = end;
+    }
+    return out;
+}
+
 bool is_long_edit(const std::vector<std::string>& lines) {
     if (lines.size() != 2 || lines[0][0] == lines[1][0]) return lines.size() > 1;
     const std::string_view a = lines[0], b = lines[1];
@@ -159,8 +158,8 @@ bool is_of_branches(const std::vector<std::string>& lines) {
 
 std::string types_exchanged(const std::vector<std::string>& lines) {
     if (lines.size() != 2 || lines[0][0] != '-' || lines[1][0] != '+') return {};
-    std::array<std::vector<std::string_view>, 2> heads = {words_of(std::string_view(lines[0]).substr(1)),
-                                                          words_of(std::string_view(lines[1]).substr(1))};
+    std::array<std::vector<std::string_view>, 2> heads = {shown_words(std::string_view(lines[0]).substr(1)),
+                                                          shown_words(std::string_view(lines[1]).substr(1))};
     for (auto& head : heads) {
         if (std::find(head.begin(), head.end(), "@") == head.end()) return {};
         std::erase_if(head, [](std::string_view word) { return word == "const" || word == "&"; });
@@ -188,7 +187,7 @@ std::string types_exchanged(const std::vector<std::string>& lines) {
 
 std::string handed_on(const std::vector<std::string>& lines) {
     std::vector<WordList> went, came;
-    for (const std::string_view line : lines) (line[0] == '-' ? went : came).push_back(words_of(line.substr(1)));
+    for (const std::string_view line : lines) (line[0] == '-' ? went : came).push_back(shown_words(line.substr(1)));
     if (went.empty() || went.size() != came.size()) return {};
     const bool is_new = came[0].size() > went[0].size();
     const std::vector<WordList>&shorter = is_new ? went : came, &longer = is_new ? came : went;
@@ -209,7 +208,7 @@ EditShape shape_of_edit(const std::vector<std::string>& lines) {
     std::map<std::string_view, size_t> numbers;
     size_t all = 0;
     for (const std::string_view line : lines) {
-        for (const std::string_view word : words_of(line)) {
+        for (const std::string_view word : shown_words(line)) {
             ++all;
             if (!is_word_token(word) || is_type_word(word) || word_is(word, kKeyword)) {
                 (out.text += word) += ' ';
@@ -263,7 +262,7 @@ std::set<EditSpot> spots_of(const std::vector<std::string>& lines) {
     for (const std::string_view line : lines) {
         if (line.size() < 2 || (line[0] != '-' && line[0] != '+')) continue;
         WordList& side = line[0] == '-' ? went : came;
-        for (const std::string_view word : words_of(line.substr(1))) side.push_back(word);
+        for (const std::string_view word : shown_words(line.substr(1))) side.push_back(word);
         side.push_back(";");
     }
     if (went.size() + came.size() > kMostWords) return {};

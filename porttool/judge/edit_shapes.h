@@ -11,6 +11,9 @@
 
 namespace porttool {
 
+/// The words and signs of a statement as it is shown.
+std::vector<std::string_view> shown_words(std::string_view text);
+
 /// True of more than a word or two: few words may be edited alike by chance. One statement that took the place of
 /// another is told by what is left between their common begin and end.
 bool is_long_edit(const std::vector<std::string>& lines);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "porttool/judge/edit_shapes.h"
+#include "porttool/judge/sweeps.h"
 #include "porttool/judge/use_graph.h"
 #include "porttool/scan/scan.h"
 
@@ -318,6 +319,12 @@ void tell_with(Finding& first, std::span<Finding* const> others, const std::stri
     if (others.size() > kShown) first.message += " ...";
 }
 
+/// True if others are told with it already.
+bool has_others(const Finding& finding) {
+    return std::any_of(finding.details.begin(), finding.details.end(),
+                       [](const std::string& line) { return line.starts_with("also: "); });
+}
+
 }  // namespace
 
 void fold_findings(FindingList& findings, const MapFile& map) {
@@ -351,6 +358,11 @@ void fold_findings(FindingList& findings, const MapFile& map) {
     for (const std::vector<Finding*>& group : siblings.groups())
         if (group.size() > 1)
             tell_with(*group.front(), std::span(group).subspan(1), "more pairs have the same edit in their own names");
+    std::vector<Finding*> edits;
+    std::copy_if(loud.begin(), loud.end(), std::back_inserter(edits),
+                 [](const Finding* finding) { return is_edit_of_a_side(*finding) && !has_others(*finding); });
+    for (const std::vector<Finding*>& group : sweeps(edits))
+        tell_with(*group.front(), std::span(group).subspan(1), "more pairs have edits of the same words");
 }
 
 void ease_orphans(FindingList& findings, const std::vector<JudgedPair>& pairs,

@@ -16,7 +16,8 @@ namespace porttool {
 /// several units; heads of many functions that take one type in the place of another; what several functions take or
 /// hand on and did not before; parts of several units that were put into branches for the compiler; edits that do
 /// nothing but what one of them does as well, where each of their spots is one of several units; new units of one file
-/// that look like some of the other side; the methods of a new class; units of one file that are gone, or of a family
+/// that look like some of the other side; the methods of a new class; edits of
+/// five units and more that are one sweep (judge/sweeps.h); units of one file that are gone, or of a family
 /// whose counterparts have one name; macros that several unedited texts use. What a person settled, and rules whose
 /// level the map sets, are left alone. The pairs stand as they stood.
 ///

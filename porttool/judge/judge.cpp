@@ -25,6 +25,7 @@
 #include "porttool/judge/pair_judge.h"
 #include "porttool/judge/resolve.h"
 #include "porttool/judge/shared_port.h"
+#include "porttool/judge/unlike_names.h"
 #include "porttool/judge/unwatched.h"
 #include "porttool/judge/verdicts.h"
 
@@ -74,6 +75,7 @@ public:
           pair_judge_(facts, renamed_, findings_),
           macro_edits_(facts, findings_),
           new_names_(facts, findings_),
+          unlike_names_(facts, findings_),
           verdicts_(facts, findings_) {
         if (facts.in_project != nullptr && facts.in_project != &facts.lock)
             in_project_.emplace(facts.map, *facts.in_project, facts.source, facts.target);
@@ -112,6 +114,10 @@ private:
         JudgedPair& pair = out_.pairs.back();
         if (is_unrecorded(mapped)) report_unrecorded(pair);
         macro_edits_.judge(pair, mapped.lock.pair);
+        const auto told_so_far = findings_.from(first);
+        if (std::all_of(told_so_far.begin(), told_so_far.end(),
+                        [](const Finding& finding) { return finding.level <= Level::Note; }))
+            unlike_names_.judge(pair, mapped.lock.pair);
         new_names_.judge(pair);
         report_unexplained(pair);
         const Level told = weigh_shared_port(mapped, pair, first);
@@ -263,6 +269,7 @@ private:
     PairJudge pair_judge_;
     MacroEdits macro_edits_;
     NewNames new_names_;
+    UnlikeNames unlike_names_;
     Verdicts verdicts_;
     std::optional<LockIndex> in_project_;     ///< of the project's own lock, where another stands in for it
     std::map<std::string, Print> looked_at_;  ///< units of the baseline, with the prints of their texts

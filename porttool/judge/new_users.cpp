@@ -204,26 +204,37 @@ private:
     }
 
     /// Where most of what stood beside it has no port, one more without is no news: in its file, or for what came with
-    /// a file of its own, in the folder.
+    /// a file of its own, in the folder. A kernel is held against the kernels there alone, of which hardly any may have
+    /// one.
     void find_barren_places() {
         struct Place {
             size_t watched = 0, known = 0;
         };
-        std::map<std::string_view, Place> files, folders;
+        std::map<std::string_view, Place> files, folders, kernels;
         const auto folder = [](const UnitState& unit) {
             const size_t end = unit.file.rfind('/');
             return end == std::string::npos ? std::string_view() : std::string_view(unit.file).substr(0, end);
         };
+        const auto count = [&](Place& place, const UnitState& unit) {
+            ++place.known;
+            place.watched += units_.lone.contains(&unit) ? 0 : 1;
+        };
         for (const auto& [id, unit] : units_.all) {
             if (unit.kind == UnitKind::File || units_.fresh.contains(&unit)) continue;
-            for (Place* place : {&files[unit.file], &folders[folder(unit)]}) {
-                ++place->known;
-                place->watched += units_.lone.contains(&unit) ? 0 : 1;
-            }
+            count(files[unit.file], unit);
+            count(folders[folder(unit)], unit);
+            if (unit.kind == UnitKind::Kernel) count(kernels[folder(unit)], unit);
         }
         constexpr size_t kLeast = 4;  // units that tell a manner
+        constexpr size_t kManyKernels = 32, kHardlyAny = 32;
         for (const UnitState* unit : units_.unported) {
-            if (unit->kind == UnitKind::Kernel) continue;
+            if (unit->kind == UnitKind::Kernel) {
+                const Place& place = kernels[folder(*unit)];
+                if (place.known >= kManyKernels && kHardlyAny * place.watched <= place.known)
+                    told_.emplace(unit, fmt::format("{} of the {} kernels that its folder had before have none either",
+                                                    place.known - place.watched, place.known));
+                continue;
+            }
             const Place& in_file = files[unit->file];
             const Place& place = in_file.known > 0 ? in_file : folders[folder(*unit)];
             if (place.known >= kLeast && 2 * place.watched < place.known)

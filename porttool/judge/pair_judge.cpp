@@ -13,12 +13,14 @@
 #include "porttool/compare/guarded_words.h"
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
+#include "porttool/compare/member_elements.h"
 #include "porttool/compare/named_parts.h"
 #include "porttool/compare/other_rounding.h"
 #include "porttool/compare/own_fields.h"
 #include "porttool/compare/own_switches.h"
 #include "porttool/compare/own_words.h"
 #include "porttool/compare/paired_names.h"
+#include "porttool/compare/plain_choices.h"
 #include "porttool/compare/retyping.h"
 #include "porttool/compare/runtime_calls.h"
 #include "porttool/compare/runtime_upkeep.h"
@@ -142,6 +144,32 @@ bool differ_in_rounding(const PairTexts& texts, const Dialect& dialect, const By
         said[i] = with_other_rounding(*texts_of_pair[i], dialect);
         words[i].assign(said[i].begin(), said[i].end());
         any = any || words[i] != *texts_of_pair[i];
+    }
+    return any && compare_edits({words[0], words[1], words[2], words[3]}, dialect, languages).equivalent;
+}
+
+/// True if edits of both sides are one but for how they choose between values, and what is computed in one step or in
+/// several.
+bool choose_alike(const PairTexts& texts, const Dialect& dialect, const BySide<Language>& languages) {
+    std::vector<std::string> said[4];
+    Words words[4];
+    const MemberElements elements(texts);
+    const BySide<std::vector<std::string>> then{elements.written(texts.source_before),
+                                                elements.written(texts.target_before)},
+        now{elements.written(texts.source_now), elements.written(texts.target_now)};
+    const Words in_members[] = {{then.source.begin(), then.source.end()},
+                                {now.source.begin(), now.source.end()},
+                                {then.target.begin(), then.target.end()},
+                                {now.target.begin(), now.target.end()}};
+    const Words* texts_of_pair[] = {&texts.source_before, &texts.source_now, &texts.target_before, &texts.target_now};
+    bool any = false;
+    for (size_t i = 0; i < 4; ++i) {
+        const std::vector<std::string> plain =
+            with_plain_choices(in_members[i], i < 2 ? languages.source : languages.target);
+        const Words plain_words(plain.begin(), plain.end());
+        any = any || plain_words != *texts_of_pair[i];
+        said[i] = with_other_rounding(plain_words, dialect);
+        words[i].assign(said[i].begin(), said[i].end());
     }
     return any && compare_edits({words[0], words[1], words[2], words[3]}, dialect, languages).equivalent;
 }
@@ -439,6 +467,8 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
     if (swept_names_.are_all(side, texts.before, texts.now))
         return weaken(pair, finding, Level::Note, "it only gives a type its new name, as all of that side does");
     if (structs) {
+        if (const auto base = only_changes_base(texts.before, texts.now); !base.empty() && !own_names_.of(side, base))
+            return weaken(pair, finding, Level::Note, "it only derives from what is not of the project, or no longer");
         if (only_changes_fields_of_its_own(texts))
             weaken(pair, finding, Level::Note, "the two structs never had most of their fields in common");
         return;
@@ -510,6 +540,24 @@ void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found,
     if (finding.level > Level::Note && !found.displaced) weigh_edits(pair, before, finding);
 }
 
+/// True if the branches for the compiler that only one side has may be under a wrong switch: one that nothing else of
+/// that side asks for, or another than what they use stands under.
+bool PairJudge::has_doubtful_switch(const PairTexts& texts, const JudgedPair& pair) const {
+    for (const Side side : kBothSides) {
+        if (own_switches_disagree(texts, side)) return true;
+        for (const std::string_view macro : lone_own_switches(texts, side)) {
+            const auto& units = facts_.units(side);
+            const bool is_known = std::any_of(units.begin(), units.end(), [&](const auto& one) {
+                if (&one.second == pair.unit[side]) return false;
+                const Words words = one.second.text.words();
+                return std::find(words.begin(), words.end(), macro) != words.end();
+            });
+            if (!is_known) return true;
+        }
+    }
+    return false;
+}
+
 /// Edits of both sides of a function that seem to be one are a note. Beside the text, how the files declare what it
 /// uses may have changed.
 void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& before, Finding& finding) const {
@@ -547,11 +595,15 @@ void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& be
     else if (is_declared_alike &&
              (differ_in_rounding(texts, dialect_, languages) || differ_in_rounding(learned, dialect_, languages)))
         weigh(Level::Note, "one side computes in several steps what the other computes in one");
+    else if (is_declared_alike &&
+             (choose_alike(texts, dialect_, languages) || choose_alike(learned, dialect_, languages)))
+        weigh(Level::Note, "one side chooses or computes in another way what the other does");
     else if (is_declared_alike && retype_alike(texts))
         weigh(Level::Note, "both only give the same things another type, the same one");
     else if (const auto bare = without_own_switches(texts);
              bare && are_one_without_switches(*bare, dialect_, languages))
-        weigh(Level::Note, "each side says what the other does, one of them within branches for the compiler");
+        weigh(has_doubtful_switch(texts, pair) ? Level::Warning : Level::Note,
+              "each side says what the other does, one of them within branches for the compiler");
     else if (edits_in_own_words(texts, dialect_))
         weigh(grouping_of_edits(texts, dialect_) == Grouping::Alike && !edits_contradict(learned, dialect_)
                   ? Level::Note

@@ -50,7 +50,10 @@ const SharedFiles::Foreign& SharedFiles::foreign_includes(Side side) {
     if (!facts_.files) return out;
     const std::vector<FileMacros> files = (*facts_.files)[side].macros();
     std::set<std::string_view> own;
-    for (const FileMacros& file : files) own.insert(file.path);
+    for (const FileMacros& file : files) {
+        own.insert(file.path);
+        own_[side].emplace(last_part(file.path));
+    }
     for (const FileMacros& file : files)
         for (const std::string& name : file.includes) {
             const std::string_view folder = folder_of_path(file.path), last = last_part(name);
@@ -67,6 +70,10 @@ bool SharedFiles::includes(Side side, std::string_view path, std::string_view th
     return found != all.end() && std::any_of(found->second.begin(), found->second.end(), [&](const std::string& name) {
                return may_mean(name, folder_of_path(path), there);
            });
+}
+
+bool SharedFiles::surely_includes(Side side, std::string_view path, std::string_view there) {
+    return includes(side, path, there) && !own_[side].contains(last_part(there));
 }
 
 bool SharedFiles::folder_includes(Side side, std::string_view path, std::string_view there) {

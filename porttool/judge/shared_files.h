@@ -25,6 +25,9 @@ public:
     /// True if a file of that side includes one of the other side.
     bool includes(Side side, std::string_view path, std::string_view there);
 
+    /// True if a file of that side includes one of the other side, and its own side has no file that it may mean.
+    bool surely_includes(Side side, std::string_view path, std::string_view there);
+
     /// True if any file in the folder of a file of that side does, which need not be there any more; or includes the
     /// header beside one of the other side that has its name.
     bool folder_includes(Side side, std::string_view path, std::string_view there);
@@ -40,7 +43,8 @@ private:
     const Foreign& foreign_includes(Side side);
 
     const Case& facts_;
-    BySide<std::optional<Foreign>> foreign_;  ///< filled when first asked
+    BySide<std::optional<Foreign>> foreign_;          ///< filled when first asked
+    BySide<std::set<std::string, std::less<>>> own_;  ///< the last parts of the side's paths, with that
 };
 
 }  // namespace porttool

@@ -13,6 +13,7 @@
 #include "porttool/judge/counterparts.h"
 #include "porttool/judge/new_users.h"
 #include "porttool/judge/rules.h"
+#include "porttool/judge/shared_files.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
@@ -37,7 +38,13 @@ class UnwatchedSide {
 public:
     UnwatchedSide(const Case& facts, const TargetSets& sets, Side side, std::string set, FindingList& findings,
                   Verdicts& verdicts)
-        : facts_(facts), sets_(sets), side_(side), set_(std::move(set)), findings_(findings), verdicts_(verdicts) {}
+        : facts_(facts),
+          sets_(sets),
+          side_(side),
+          set_(std::move(set)),
+          findings_(findings),
+          verdicts_(verdicts),
+          shared_files_(facts) {}
 
     /// Adds to `lone`, and to `changed` those that are new or edited.
     void run(Judgement& out, std::map<const UnitState*, Unwatched>& units) {
@@ -86,9 +93,9 @@ private:
         const std::set<const UnitState*> lone(units_.begin(), units_.end()), is_fresh(fresh.begin(), fresh.end());
         const auto tells_of = [&](const UnitState& user, std::string_view word) { return this->tells_of(user, word); };
         const FilesOfSide* files = facts_.files ? &(*facts_.files)[side_] : nullptr;
-        std::set<std::string> differ;  // the pairs of this side of which both edits are told as an error
+        std::set<std::string> differ;  // the pairs of this side of which both edits are told
         for (const Finding& finding : findings_.from(0))
-            if (finding.rule == Rule::PortDiffers && is_open(finding) && finding.level == Level::Error)
+            if (finding.rule == Rule::PortDiffers && is_open(finding) && finding.level > Level::Note)
                 differ.insert(side_ == Side::Source ? finding.map_source : finding.map_target);
         const auto answers = [&](const UnitState& user) -> std::string {
             const auto counterpart = counterparts.find(&user);
@@ -142,12 +149,33 @@ private:
         } else {
             add_unpaired(unit, candidate->second);
         }
+        if (const std::string user = file_that_includes(unit.file); !user.empty()) {
+            Finding& finding = findings_.from(first).front();
+            finding.level = std::min(finding.level, Level::Note);
+            finding.message += "; " + user + " includes that file";
+        }
         findings_.from(first).front().change = ChangeKind::Added;
         verdicts_.settle_lone(unit, side_, line);
         if (line != nullptr && !line->reason.empty()) return line->reason;
         for (const Finding& finding : findings_.from(first))
             if (finding.verdict) return finding.verdict_reason;
         return std::nullopt;
+    }
+
+    /// A file of the other side that includes one of this side, which has no port then; "" for none. It is the
+    /// counterpart of a file in the same folder, since others may have a file of that name as well.
+    std::string file_that_includes(const std::string& file) {
+        const auto [known, is_new] = users_of_.try_emplace(file);
+        const auto folder_of = [](std::string_view path) { return path.substr(0, path.rfind('/') + 1); };
+        if (is_new)
+            for (const auto& [unit, pair] : pairs_of_) {
+                const UnitState* there = pair->unit[other(side_)];
+                if (unit == nullptr || there == nullptr || folder_of(unit->file) != folder_of(file)) continue;
+                if (!shared_files_.surely_includes(other(side_), there->file, file)) continue;
+                known->second = there->file;
+                break;
+            }
+        return known->second;
     }
 
     /// With `reference = "both"` two new units that look alike are one finding.
@@ -183,6 +211,8 @@ private:
     FindingList& findings_;
     Verdicts& verdicts_;
     std::multimap<const UnitState*, const JudgedPair*> pairs_of_;
+    SharedFiles shared_files_;
+    std::map<std::string, std::string> users_of_;   ///< by file: that of the other side which includes it, or ""
     std::vector<const UnitState*> units_;           ///< that no pair leads to
     std::map<const UnitState*, std::string> told_;  ///< new ones whose lack is told with others, and how
 };

@@ -293,5 +293,113 @@ TEST(KindsAndSpellings, ANewWordIsTheSameNumberOnBothSides) {
     expect_said(said(modes, replaced(modes, "Fast", "Fast = 3"), modes), Said::Told, "another number");
 }
 
+TEST(KindsAndSpellings, ChoicesAndLimitsInAnotherManner) {
+    const auto pick = [](const std::string& condition, const std::string& yes, const std::string& no) {
+        return "if (" + condition + ") { total = " + yes + "; } else { total = " + no + "; }";
+    };
+    expect_all({kGlsl, kCuda, kOpenCl},
+               {{pick("k > n", "gain", "bias"), pick("k <= n", "bias", "gain"), Said::NoteAtMost},
+                {pick("k > n", "gain", "bias"), pick("!(k > n)", "bias", "gain"), Said::NoteAtMost},
+                {pick("k == n", "gain", "bias"), pick("n != k", "bias", "gain"), Said::NoteAtMost},
+                {pick("k > n", "gain", "bias"), "total = n < k ? gain : bias;", Said::NoteAtMost},
+                {pick("k > n", "gain", "bias"), pick("k <= n", "gain", "bias"), Said::Told},
+                {pick("k > n", "gain", "bias"), pick("k < n", "bias", "gain"), Said::Told},
+                {pick("k > n", "gain", "bias"), pick("k >= n", "gain", "bias"), Said::Told},
+                {pick("k == n", "gain", "bias"), pick("k != n", "gain", "bias"), Said::Told},
+                {pick("k > n && m > 1u", "gain", "bias"), pick("k <= n && m > 1u", "bias", "gain"), Said::Told},
+                {"if (k > n) { total = gain; }", "if (n < k) { total = gain; }", Said::NoteAtMost},
+                {"if (k > n) { total = gain; }", "if (n <= k) { total = gain; }", Said::Told},
+                {"total = k > n ? gain : bias;", "total = k <= n ? bias : gain;", Said::NoteAtMost},
+                {"total = k > n ? gain : bias;", "total = k <= n ? gain : bias;", Said::Told},
+                {"total = max(gain, total);", "total = gain < total ? total : gain;", Said::NoteAtMost},
+                {"total = max(gain, total);", "if (total < gain) { total = gain; }", Said::NoteAtMost},
+                {"total = max(gain, total);", "total = gain < total ? gain : total;", Said::Told},
+                {"total = max(gain, total);", "if (total > gain) { total = gain; }", Said::Told},
+                {"total = max(gain, total);", "if (total < gain) { total = bias; }", Said::Told},
+                {"total *= step(gain, norm);", "total *= norm < gain ? 0.0# : 1.0#;", Said::NoteAtMost},
+                {"total *= step(gain, norm);", "total *= gain < norm ? 0.0# : 1.0#;", Said::Told},
+                {"total *= step(gain, norm);", "total *= norm < gain ? 1.0# : 0.0#;", Said::Told},
+                {"total = mix(gain, bias, norm);", "total = gain + (bias - gain) * norm;", Said::NoteAtMost},
+                {"total = mix(gain, bias, norm);", "total = gain * (1.0# - norm) + bias * norm;", Said::NoteAtMost},
+                {"total = mix(gain, bias, norm);", "total = gain + (gain - bias) * norm;", Said::Told},
+                {"total = mix(gain, bias, norm);", "total = bias * (1.0# - norm) + gain * norm;", Said::Told},
+                {"total = mix(gain, bias, norm);", "total = gain * (2.0# - norm) + bias * norm;", Said::Told},
+                {"total = clamp(total, 0.0#, 1.0#);", "total = max(min(total, 0.0#), 1.0#);", Said::Told}});
+}
+
+TEST(KindsAndSpellings, ADotProductWrittenOut) {
+    const std::string there = "float f(float3 p, float3 q, float2 r, float a) {\n  float s = p.x * a;\n",
+                      here = "__device__ " + there, end = "  return s + q.y * r.x;\n}\n";
+    const auto said = [&](const std::string& source, const std::string& target) {
+        return loudest({{"k.cu", "k.cpp"},
+                        {here + end, there + end},
+                        {here + "  s += " + source + ";\n" + end, there + "  s += " + target + ";\n" + end}});
+    };
+    const std::string dot = "dot(p, q)", all = "p.x * q.x + p.y * q.y + p.z * q.z";
+    expect_said(said(dot, all), Said::NoteAtMost, "all parts");
+    expect_said(said(dot, replaced(all, "p.y * q.y", "q.y * p.y")), Said::NoteAtMost, "the other way round");
+    expect_said(said("length(p)", "sqrt(dot(p, p))"), Said::NoteAtMost, "a length");
+    expect_said(said(dot, "p.x * q.x + p.y * q.y"), Said::Told, "one part less");
+    expect_said(said(dot, replaced(all, "p.z * q.z", "p.z * q.y")), Said::Told, "a part of another");
+    expect_said(said(dot, replaced(all, "+ p.z", "- p.z")), Said::Told, "another sign");
+    expect_said(said("dot(p, r)", "p.x * r.x + p.y * r.y"), Said::Told, "of unlike vectors");
+    expect_said(said("length(p)", "sqrt(dot(p, q))"), Said::Told, "of two");
+}
+
+TEST(KindsAndSpellings, AMemberThatIsAnElementThere) {
+    const std::string here = "__device__ float f(Range r, float a) {\n  float s = r.lo * a;\n",
+                      there = "float f(const float* r, float a) {\n  float s = r[0] * a;\n";
+    const auto said = [&](const std::string& source, const std::string& target, const std::string& last) {
+        const std::string end = "  return s + r.hi;\n}\n", end_there = "  return s + r[" + last + "];\n}\n";
+        return loudest(
+            {{"k.cu", "k.cpp"}, {here + end, there + end_there}, {here + source + end, there + target + end_there}});
+    };
+    expect_said(said("  s *= r.hi - 0.5f;\n", "  s *= r[1] - 0.5f;\n", "1"), Said::NoteAtMost, "the same");
+    expect_said(said("  s *= r.hi - 0.5f;\n", "  s *= r[0] - 0.5f;\n", "1"), Said::Told, "the other one");
+    expect_said(said("  s *= r.hi - 0.5f;\n", "  s *= r[1] - 0.5f;\n", "0"), Said::Told, "never held apart");
+}
+
+/// Both sides come to call or to use what stands before their functions.
+std::string after_use(const std::string& in_source, const std::string& in_target, const std::string& use,
+                      const std::string& use_there) {
+    const auto text = [](const std::string& head, const std::string& more) {
+        return head + "float f(float x, int k) {\n  float s = x * 0.5f;\n" + more + "  return s - x;\n}\n";
+    };
+    return loudest({{"k.glsl", "k.cpp"},
+                    {text(in_source, ""), text(in_target, "")},
+                    {text(in_source, use), text(in_target, use_there)}});
+}
+
+TEST(KindsAndSpellings, WhatCameIntoUseIsTheSameOnBothSides) {
+    const auto shape = [](const std::string& body) { return "float shape(float a, float b) { " + body + " }\n"; };
+    const auto with_shape = [&](const std::string& source, const std::string& target) {
+        const std::string use = "  s += shape(x, s);\n";
+        return after_use(shape(source), shape(target), use, use);
+    };
+    expect_said(with_shape("return a - b;", "return a - b;"), Said::Nothing, "one function");
+    expect_said(with_shape("float t = a - b; return t * t;", "float u = a - b; return u * u;"), Said::Nothing,
+                "locals");
+    expect_said(with_shape("return a - b;", "return b - a;"), Said::Told, "the other way round");
+    expect_said(with_shape("return a - b * 3.0f;", "return a - b * 4.0f;"), Said::Told, "another number");
+    expect_said(with_shape("float t = a; t *= b; return t;", "float t = a; t /= b; return t;"), Said::Told, "a sign");
+    const auto taps = [](const std::string& type) { return "struct Taps { " + type + " w; float h; };\n"; };
+    const auto with_taps = [&](const std::string& source, const std::string& target) {
+        const std::string use = "  Taps t = taps_of(k);\n  s += t.w / 2;\n";
+        return after_use(taps(source), taps(target), use, use);
+    };
+    expect_said(with_taps("int", "int"), Said::Nothing, "one kind");
+    expect_said(with_taps("int", "float"), Said::Told, "a real number");
+    expect_said(with_taps("int", "unsigned"), Said::Told, "without a sign");
+    expect_said(with_taps("int", "short"), Said::Told, "half as wide");
+    for (const auto& [declared, said] :
+         std::vector<std::pair<std::string, Said>>{{"typedef float real;\n", Said::Nothing},
+                                                   {"using real = float;\n", Said::Nothing},
+                                                   {"typedef double real;\n", Said::Told},
+                                                   {"using real = double;\n", Said::Told},
+                                                   {"#define real double\n", Said::Told}})
+        expect_said(after_use("", declared, "  float d = x * 3.0;\n  s += d;\n", "  real d = x * 3.0f;\n  s += d;\n"),
+                    said, declared);
+}
+
 }  // namespace
 }  // namespace porttool::testing::kinds_and_spellings_test

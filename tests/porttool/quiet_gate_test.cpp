@@ -584,6 +584,90 @@ TEST(QuietGate, ScopesOfOtherThings) {
     EXPECT_EQ(after(own, "std::lobe(std::lobe", "std::lobe(lobe"), raised) << "one of two";
 }
 
+TEST(QuietGate, NamesOfARuntimeInAnotherVersion) {
+    const auto after = [](const std::string& before, const std::string& now) {
+        const auto file = [](const std::string& body) { return "void f(float* y, int n) { " + body + " y[1] = n; }"; };
+        return loud({{"s/k.cu", file("cublasDotEx(h, n, y);")}, {"t/k.cpp", file(before)}}, {{"t/k.cpp", file(now)}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const Loud told = {"target-changed s/k.cu:f"};
+    EXPECT_EQ(after("hipblasDotEx_v2(h, n, y);", "hipblasDotEx_64(h, n, y);"), Loud{});
+    EXPECT_EQ(after("hipblasDatatype_t a = kind(n); use(a);", "hipDataType a = kind(n); use(a);"), Loud{});
+    EXPECT_EQ(after("hipblasDotEx_v2(h, n, y);", "hipblasDotcEx_v2(h, n, y);"), told);
+    EXPECT_EQ(after("hipblasDotEx_v2(h, n, y);", "hipblasDotEx_64(h, n, y + 1);"), told);
+    EXPECT_EQ(after("hipblasSgemm(h, n, y);", "hipblasDgemm(h, n, y);"), told);
+    EXPECT_EQ(after("hipMemcpy(h, y, n);", "hipMemset(h, y, n);"), told);
+    EXPECT_EQ(after("own_v2(h, n, y);", "own_64(h, n, y);"), told) << "of nobody knows what";
+}
+
+TEST(QuietGate, ABaseThatIsNotOfTheProject) {
+    const std::string fields = " { int step; int operator()(int i) const { return step * i; } };\n",
+                      of_lib = "struct S : public lib::unary<int, int>" + fields, plain = "struct S" + fields,
+                      own = "struct Base { int more; };\n";
+    const auto after = [&](const std::string& before, const std::string& now) {
+        return loud({{"s/k.h", before}, {"t/k.h", before}}, {{"s/k.h", now}}, {"s/k.h:S=t/k.h:S"});
+    };
+    EXPECT_EQ(after(of_lib, plain), Loud{});
+    EXPECT_EQ(after(plain, of_lib), Loud{});
+    EXPECT_EQ(after(own + plain, own + "struct S : Base" + fields), Loud{"source-changed s/k.h:S"}) << "its fields";
+    EXPECT_EQ(after(of_lib, replaced(plain, "int step", "long step")), Loud{"layout-differs s/k.h:S"});
+    EXPECT_EQ(after(of_lib, replaced(of_lib, "unary", "binary")), Loud{"source-changed s/k.h:S"});
+}
+
+TEST(QuietGate, AKernelOfAFolderWithHardlyAnyPort) {
+    const auto kernel = [](const std::string& name) {
+        return "__global__ void " + name + "(float* y) { y[threadIdx.x] = " + name + "_of(y[threadIdx.x]); }\n";
+    };
+    const std::string paired = "float f(float x) { return x * 2.0f + 1.0f; }\n";
+    const auto after = [&](int kernels) {
+        std::string text = paired;
+        for (int i = 0; i < kernels; ++i) text += kernel("k" + std::to_string(i));
+        return loud({{"s/k.cu", text}, {"t/k.cpp", paired}}, {{"s/new.cu", kernel("fresh")}}, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(after(32), Loud{});
+    EXPECT_EQ(after(16), Loud{"unported s/new.cu:fresh"}) << "so few tell nothing";
+}
+
+TEST(QuietGate, ANewUnitInAFileThatThePortIncludes) {
+    const std::string text = "int f(int n, int k) { return n > 8 ? k : n + 3; }\n",
+                      fresh = "float reference(const float* y, int n) { return y[n] * weights[n] - offset(y); }\n";
+    const auto after = [&](const std::string& head, const Texts& more) {
+        Texts now = {{"s/ref.h", fresh}, {"t/k.cpp", head + text}};
+        now.insert(more.begin(), more.end());
+        return loud({{"s/k.cu", text}, {"t/k.cpp", text}}, now, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(after("#include \"ref.h\"\n", {}), Loud{});
+    EXPECT_EQ(after("", {}), Loud{"unported s/ref.h:reference"});
+    EXPECT_EQ(after("#include \"ref.h\"\n", {{"t/ref.h", "int none;\n"}}), Loud{"unported s/ref.h:reference"});
+    EXPECT_EQ(after("#include \"own.h\"\n", {}), Loud{"unported s/ref.h:reference"});
+}
+
+TEST(QuietGate, ASweepThroughManyUnitsIsToldOnce) {
+    constexpr int kUnits = 6;
+    const auto file = [](bool now, int slip, const std::string& how) {
+        std::string out;
+        for (int i = 0; i < kUnits; ++i) {
+            const std::string own = "own" + std::to_string(i), n = std::to_string(i);
+            const std::string term = i == slip ? how : own + "(x) * 0.5f";
+            out += now ? "void f" + n + "(const Film* film, Stack* stack, Row* row) {\n  float x = pop(stack);\n" +
+                             "  put(stack, film, " + term + ");\n  row->" + own + " = x;\n}\n"
+                       : "float f" + n + "(float x, Row* row) {\n  row->" + own + " = x;\n  return " + own +
+                             "(x) * 0.5f;\n}\n";
+        }
+        return out;
+    };
+    std::vector<std::string> pairs;
+    for (int i = 0; i < kUnits; ++i) pairs.push_back("s/k.cu:f" + std::to_string(i) + "=t/k.cpp:f" + std::to_string(i));
+    const std::string was = file(false, -1, "");
+    const auto count = [&](int slip, const std::string& how) {
+        return loud({{"s/k.cu", was}, {"t/k.cpp", was}}, {{"s/k.cu", file(true, slip, how)}}, pairs).size();
+    };
+    EXPECT_EQ(count(-1, ""), 1u);
+    EXPECT_EQ(count(2, "own2(x) * 0.7f"), 2u) << "another number";
+    EXPECT_EQ(count(2, "own2(x) / 0.5f"), 2u) << "another operation";
+    EXPECT_EQ(count(2, "fast(own2(x), bright) * gain(dark)"), 2u) << "words of its own";
+}
+
 TEST(QuietGate, FieldsOfStructsThatWereNeverOne) {
     const std::string own = "struct S { int device; Queue queue; void* room; };";
     const auto after = [&](const std::string& source, const std::string& from, const std::string& to) {

@@ -473,7 +473,21 @@ TEST(WeighedEdit, BranchesForTheCompilerThatOneSideHas) {
         {"under another sign", was,
          with(fog("if defined(HAS_FOG)", ")"), replaced(there, "thin < thin", "thin > thin")), told},
         {"where it is off", was, with(fog("ifndef HAS_FOG", ")"), there), told},
+        {"under another switch than what it uses", was, with(fog("if defined(HAS_SUN)", ")"), there), told},
     });
+    const auto mist = [&](const std::string& name) {
+        return BySide<std::string>{
+            replaced(was.source, "return best * lim;",
+                     "\n#ifdef " + name +
+                         "\nbest = thin_out(best, lim, n);\n#endif\n"
+                         "return best * lim;"),
+            replaced(was.target, "return best * lim;", "best = ThinOut(best, lim, n); return best * lim;")};
+    };
+    const std::string other = "float g(float a) {\n#ifdef HAS_FOG\n  a += 1.0f;\n#endif\n  return a;\n}\n";
+    BySide<std::string> was_with = was, now_with = mist("HAS_FOG"), now_other = mist("HAS_FROG");
+    for (BySide<std::string>* texts : {&was_with, &now_with, &now_other}) texts->source += other;
+    expect_all({{"a switch that another function asks for", was_with, now_with, {}},
+                {"one that nothing else asks for", was_with, now_other, told}});
 }
 
 TEST(WeighedEdit, WhatIsPrintedOrTimed) {
