@@ -8,6 +8,7 @@
 #include "porttool/compare/casts.h"
 #include "porttool/compare/phrases.h"
 #include "porttool/compare/plain_updates.h"
+#include "porttool/language/sister_runtime.h"
 #include "porttool/language/spelling.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_form.h"
@@ -148,6 +149,8 @@ std::string shouted_runtime_name(std::string_view token) {
 std::string runtime_name(std::string_view token) {
     constexpr std::string_view kPrefix = "hip";
     if (token.starts_with("HIP")) return shouted_runtime_name(token);
+    if (const SisterName* row = sister_name(token); row != nullptr && token == row->hip) return std::string(row->cuda);
+    if (token == "cudaMallocHost") return "cudaHostAlloc";  // HIP has one name for both
     if (token.size() <= kPrefix.size() || !token.starts_with(kPrefix)) return std::string(token);
     const std::string_view rest = token.substr(kPrefix.size());
     if (rest[0] >= 'A' && rest[0] <= 'Z') return "cuda" + std::string(rest);

@@ -92,6 +92,8 @@ private:
             return give_up("the port has nothing that stands for its neighbours");
         if (left != kNothing && right != kNothing && right <= left)
             return give_up("its neighbours stand in another order in the port");
+        if (stands_by_directive_alone(was_before, was_after))
+            return give_up("the port has something else behind that directive");
         std::vector<ClauseAdded> clauses = carried_clauses(first, end);
         if (was_before != kNothing && was_after != kNothing && depends_on_merged(first, end, was_before, was_after))
             return give_up("the port has one of its neighbours within another statement");
@@ -150,6 +152,13 @@ private:
         for (size_t c = first; c < end; ++c)
             if (const auto source = moved_from(c)) sources_.moved.insert(*source);
         out_.added.push_back({*place, std::move(clauses)});
+    }
+
+    /// True where of both neighbours only a directive has its like in the port, which may ask for it of other things.
+    bool stands_by_directive_alone(size_t was_before, size_t was_after) const {
+        return was_before != kNothing && counterpart(was_before) != kNothing &&
+               texts_.before.words[before(was_before).first] == "#" && was_after != kNothing &&
+               counterpart(was_after) == kNothing;
     }
 
     /// A word of the target near where what comes between two clauses of the source's old text would stand.
@@ -324,11 +333,8 @@ private:
         const bool waits_first = waits(clauses.front().source);
         if (waits_first || !goes_on_behind_launch(texts_.target, clause_ending(place))) return false;
         if (was_before != kNothing && goes_on_behind_launch(texts_.before, was_before)) return false;
-        return std::any_of(clauses.begin(), clauses.end(), [&](const ClauseAdded& clause) {
-            for (size_t i = 0; i + 1 < clause.words.size(); ++i)
-                if (clause.words[i + 1].text == "(" && asks_clock(clause.words[i].text)) return true;
-            return false;
-        });
+        return std::any_of(clauses.begin(), clauses.end(),
+                           [](const ClauseAdded& clause) { return asks_clock(clause); });
     }
 
     size_t clause_ending(size_t place) const {
@@ -498,6 +504,20 @@ private:
         return clauses.size() < all;
     }
 
+    /// True for a statement of the port that waits for the device, and stands for none of the source's.
+    bool is_own_wait(size_t there) const {
+        const DeviceWait& wait = translator_.wait_there();
+        const auto first = texts_.target.words.begin() + static_cast<std::ptrdiff_t>(target(there).first);
+        return wait && wait->size() == target(there).size() && std::equal(wait->begin(), wait->end(), first);
+    }
+
+    /// True for a new statement that asks a clock.
+    static bool asks_clock(const ClauseAdded& clause) {
+        for (size_t i = 0; i + 1 < clause.words.size(); ++i)
+            if (clause.words[i + 1].text == "(" && asks_clock(clause.words[i].text)) return true;
+        return false;
+    }
+
     bool starts_paragraph(size_t is) const {
         return is < texts_.now.clauses.size() && texts_.paragraphs.contains(now(is).first);
     }
@@ -514,6 +534,9 @@ private:
                                       const NewClauses& run) const {
         const size_t was_before = run.was_before, was_after = run.was_after;
         if (own.empty()) return left != kNothing ? target(left).end : target(right).first;
+        // What the port waits for right behind the left neighbour, that ends.
+        const size_t first = clauses.front().source;
+        if (beside_left && own[0] == left + 1 && !now(first).closes && !waits(first) && is_own_wait(own[0])) ++left;
         const bool behind_launch = was_before != kNothing && launch_ending(was_before) != nullptr;
         const bool before_launch = was_after != kNothing && launch_beginning(was_after) != nullptr;
         const bool beside_right = right != kNothing && (counterpart(was_after) == right || before_launch);
@@ -532,10 +555,12 @@ private:
             std::none_of(own.begin(), own.end(), [&](size_t c) { return target(c).opens || target(c).closes; });
         const bool begins_paragraph =
             starts_paragraph(clauses.front().source) && !starts_paragraph(clauses.back().source + 1);
+        // A clock that is asked first in a block is asked before what takes its time.
+        const bool starts_clock = was_before != kNothing && before(was_before).opens && asks_clock(clauses.back());
         // What the port prepares a launch by comes before what the source does right before it.
-        const bool goes_right =
-            run.beside == Beside::Right ||
-            (run.beside != Beside::Left && (goes_around || begins_paragraph || (before_launch && !behind_launch)));
+        const bool goes_right = run.beside == Beside::Right ||
+                                (run.beside != Beside::Left && (goes_around || begins_paragraph ||
+                                                                (before_launch && !behind_launch) || starts_clock));
         return beside_left && !(goes_right && beside_right) ? target(left).end : target(right).first;
     }
 

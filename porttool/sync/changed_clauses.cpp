@@ -9,6 +9,7 @@
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/sync/elsewhere_changes.h"
+#include "porttool/sync/operands.h"
 #include "porttool/sync/renamings.h"
 #include "porttool/sync/word_changes.h"
 
@@ -88,6 +89,11 @@ private:
             ++out_.already;
             return;
         }
+        if (counts_to_other_end(was, there, hunks))
+            return leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
+                             shown(texts_.before.words, before(was).first, before(was).end) +
+                             "`; the port's loop there runs to another end",
+                         now(is).first, target(there).first);
         if (const std::string why = uses_.doubt_of_step(was); !why.empty())
             return leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
                              shown(texts_.before.words, before(was).first, before(was).end) + "`; " + why,
@@ -109,6 +115,35 @@ private:
                (there == kNothing || !says_extent(texts_.target.words, target(there))) &&
                with_plain_extents(words, old.first, old.end) ==
                    with_plain_extents(texts_.now.words, clause.first, clause.end);
+    }
+
+    /// True for a loop that counts in another type or from another value, and whose counterpart asks for another end:
+    /// that may be another loop.
+    bool counts_to_other_end(size_t was, size_t there, const std::vector<Hunk>& hunks) const {
+        const Clause here = condition_of(texts_.before.words, before(was)),
+                     other = condition_of(texts_.target.words, target(there));
+        if (here.size() == 0 || other.size() == 0 || hunks.empty() || hunks.back().end > here.first) return false;
+        const auto has_there = [&](const std::string& word) {
+            return is_name(word) &&
+                   std::find(texts_.target.words.begin(), texts_.target.words.end(), word) != texts_.target.words.end();
+        };
+        for (size_t k = 0; k < std::min(here.size(), other.size()); ++k) {
+            const std::string& word = texts_.before.words[here.first + k];
+            if (word != texts_.target.words[other.first + k] && has_there(word)) return true;
+        }
+        return !says(other.first, other.end, carry_old(here.first, here.end).words, true);
+    }
+
+    /// The second part of `for ( a ; b ; c )`; empty for none.
+    static Clause condition_of(const std::vector<std::string>& words, const Clause& clause) {
+        Clause out;
+        if (words[clause.first] != "for") return out;
+        const auto end = words.begin() + static_cast<std::ptrdiff_t>(clause.end);
+        const auto first = std::find(words.begin() + static_cast<std::ptrdiff_t>(clause.first), end, ";");
+        if (first == end) return out;
+        out.first = static_cast<size_t>(first - words.begin()) + 1;
+        out.end = static_cast<size_t>(std::find(first + 1, end, ";") - words.begin());
+        return out;
     }
 
     /// Statements that changed side by side, and that the port has nothing for at one place, are one item.

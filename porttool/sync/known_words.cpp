@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "porttool/language/sister_runtime.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/normal/normal_text.h"
@@ -14,6 +15,7 @@
 #include "porttool/normal/unit_state.h"
 #include "porttool/scan/scan.h"
 #include "porttool/sync/call_sites.h"
+#include "porttool/sync/examples.h"
 #include "porttool/sync/text_literals.h"
 #include "porttool/text/letters.h"
 
@@ -35,7 +37,7 @@ std::string_view runtime_of(std::string_view word) {
                                                         "CL_",  "cl_",  "omp_", "__"};
     for (const std::string_view begin : kBegin)
         if (word.starts_with(begin)) return begin;
-    if (is_of_library(word)) return "cu";
+    if (is_of_library(folded(word))) return "cu";
     if (word == "cub") return "cub";
     for (const std::string_view begin : {"cu", "rt"})
         if (word.starts_with(begin) && word.size() > begin.size() && is_capital_letter(word[begin.size()]))
@@ -321,7 +323,21 @@ bool KnownWords::is_from_elsewhere(std::string_view word) const {
     const std::string name = folded(word);
     for (const std::string_view part : kOfOneRuntime)
         if (name.find(part) != std::string::npos) return false;
+    if (is_of_library(name)) return false;
     return is_declared_nowhere(word) && runtime_of(word).empty();
+}
+
+bool KnownWords::marks_reals() const {
+    if (!is_of_devices(to_.edited.language)) return false;
+    size_t marked = 0;
+    for (const Token& token : to_.edited.lexed.tokens) {
+        if (token.kind != TokenKind::Number) continue;
+        const std::string number(to_.edited.lexed.view(token));
+        if (Examples::marked(number) != number) return false;
+        marked += number.ends_with('f') && !number.starts_with("0x");
+    }
+    constexpr size_t kFewest = 3;
+    return marked >= kFewest;
 }
 
 bool KnownWords::names_one_side(std::string_view literal) const {
@@ -342,7 +358,7 @@ bool KnownWords::names_one_side(std::string_view literal) const {
 /// Any file may ask for a macro that no file of either side defines: it comes from the build, or the compiler.
 bool KnownWords::is_macro_of_build(std::string_view word) const { return is_from_elsewhere(word) && is_capital(word); }
 
-/// `cudaFree` is `hipFree`: HIP has CUDA's run time under names of its own, but for few.
+/// `cudaFree` is `hipFree`: HIP has CUDA's run time under names of its own.
 std::string KnownWords::in_sister_runtime(std::string_view word) const {
     const auto is_of = [](std::string_view name, std::string_view begin) {
         return name.size() > begin.size() && name.starts_with(begin) && name[begin.size()] >= 'A' &&
@@ -350,12 +366,15 @@ std::string KnownWords::in_sister_runtime(std::string_view word) const {
     };
     const std::string_view here = is_of(word, "cuda") ? "cuda" : is_of(word, "hip") ? "hip" : "";
     const std::string_view there = here == "cuda" ? "hip" : "cuda";
-    if (here.empty() || is_one_of(word, {"cudaDeviceProp", "hipDeviceProp_t", "cudaThreadSynchronize"})) return {};
+    if (here.empty()) return {};
     const auto has = [&](std::string_view begin) {
         return std::any_of(file_words_.begin(), file_words_.end(),
                            [&](std::string_view name) { return is_of(name, begin); });
     };
-    return has(there) && !has(here) ? std::string(there) + std::string(word.substr(here.size())) : std::string();
+    if (!has(there) || has(here)) return {};
+    if (const SisterName* row = sister_name(word); row != nullptr)
+        return here == "cuda" ? std::string(row->hip) : row->is_only_one ? std::string(row->cuda) : std::string();
+    return std::string(there) + std::string(word.substr(here.size()));
 }
 
 std::vector<std::string> KnownWords::scope_of_builtins(const std::vector<std::string>& words) const {

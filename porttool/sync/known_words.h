@@ -71,6 +71,11 @@ public:
         return language != Language::C && language != Language::OpenCl && language != Language::Glsl &&
                language != Language::Ispc;
     }
+    /// True for `double` where the target's language is one of devices, of which many have none, and the source's is
+    /// not.
+    bool may_lack(std::string_view type) const {
+        return type == "double" && is_of_devices(to_.edited.language) && !is_of_devices(from_.edited.language);
+    }
     /// True for a language that has the standard library of C++.
     bool has_std() const {
         const Language language = to_.edited.language;
@@ -94,6 +99,8 @@ public:
         return traits_of(from_.edited.language).literals == Literals::Shading &&
                traits_of(to_.edited.language).literals == Literals::C;
     }
+    /// True for a file of a language of devices whose real numbers are all marked as floats.
+    bool marks_reals() const;
     /// What a word means in any language; "" if it has no counterpart elsewhere.
     std::string meaning(const std::string& word) const {
         const std::string* known = dialect_.meaning(word);
@@ -153,6 +160,10 @@ private:
     using Uses = SideWords::Uses;
 
     void add_name(TokenRange parameter);
+    static bool is_of_devices(Language language) {
+        return language == Language::OpenCl || language == Language::Glsl || language == Language::Hlsl ||
+               language == Language::Metal;
+    }
     bool is_in_source_file(std::string_view word) const;
     bool speaks(std::string_view runtime) const;
     bool scopes_builtins() const;

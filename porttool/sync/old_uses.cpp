@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "porttool/language/words.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/sync/operands.h"
 
@@ -29,8 +30,42 @@ public:
         }
     }
 
+    /// What is pointed to came to be of another type, and a statement of the port's own still sizes it by the old one.
+    void leave_sizes() {
+        const std::vector<std::string>& words = texts_.target.words;
+        for (const WordsReplaced& one : out_.replaced) {
+            const std::string name = pointer_retyped(one);
+            if (name.empty()) continue;
+            const std::string& type = words[one.first];
+            for (size_t c = 1; c < texts_.target.clauses.size(); ++c) {
+                if (stands_for_something(c) || !names_plainly(target(c), name)) continue;
+                for (size_t i = target(c).first + 1; i + 1 < target(c).end; ++i)
+                    if (words[i] == type && stays(i) && is_one_of(words[i - 1], {"(", "<"}) &&
+                        is_one_of(words[i + 1], {")", ">"}))
+                        return out_.left.push_back({"the source has `" + one.words.front().text + "` for `" + type +
+                                                        "` where it declares `" + name +
+                                                        "`; the port still sizes it by that in a statement of its own",
+                                                    one.source_first, i});
+            }
+        }
+    }
+
 private:
     using Names = std::pair<std::string, std::string>;
+
+    /// The name of a pointer whose type is replaced by another one; "" for anything else.
+    std::string pointer_retyped(const WordsReplaced& one) const {
+        const std::vector<std::string>& words = texts_.target.words;
+        const bool is_type = one.end == one.first + 1 && one.words.size() == 1 && one.end + 1 < words.size() &&
+                             is_type_word(words[one.first]) && one.words.front().text != words[one.first];
+        return is_type && words[one.end] == "*" && is_name(words[one.end + 1]) ? words[one.end + 1] : std::string();
+    }
+
+    bool names_plainly(const Clause& clause, const std::string& name) const {
+        for (size_t i = clause.first; i < clause.end; ++i)
+            if (is_plain(texts_.target.words, i, name)) return true;
+        return false;
+    }
 
     static bool is_plain(const std::vector<std::string>& words, size_t i, const std::string& name) {
         return words[i] == name && (i == 0 || (!is_accessor(words[i - 1]) && words[i - 1] != "::"));
@@ -94,6 +129,10 @@ private:
 
 }  // namespace
 
-void leave_old_uses(const EditReading& reading, Transplant& out) { OldUses(reading, out).leave(); }
+void leave_old_uses(const EditReading& reading, Transplant& out) {
+    OldUses uses(reading, out);
+    uses.leave();
+    uses.leave_sizes();
+}
 
 }  // namespace porttool

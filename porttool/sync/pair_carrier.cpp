@@ -283,14 +283,20 @@ Transplant PairCarrier::transplanted(const PairEdit& edit, const Texts& texts, K
 
 /// What the source's file had before the edit and has not now, and the other way round; nothing where it is not known.
 void PairCarrier::read_earlier_file(const PairEdit& edit, const Texts& texts, UnitSurroundings& out) {
+    const auto note_real = [&](std::string_view word) {
+        if (is_one_of(word, {"float", "double", "half"})) out.reals.emplace(word);
+    };
+    for (const std::string& word : texts.was.words) note_real(word);
     const std::string* text = earlier_texts_.of(edit.from, texts.file.path);
     if (text == nullptr) return;
     for (const std::string& word : texts.is.words)
         if (is_word_token(word) && !has_word(texts.was.words, word)) out.fresh.insert(word);
     if (out.fresh.empty()) return;
     const ScannedFile file = scan_text(texts.file.path, *text);
-    for (const Token& token : file.lexed.tokens)
+    for (const Token& token : file.lexed.tokens) {
+        note_real(file.lexed.view(token));
         if (const auto known = out.fresh.find(file.lexed.view(token)); known != out.fresh.end()) out.fresh.erase(known);
+    }
     for (const Unit& unit : file.units) out.gone.emplace(leaf_of(unit.name));
     for (const Unit& unit : texts.file.units) out.gone.erase(std::string(leaf_of(unit.name)));
 }

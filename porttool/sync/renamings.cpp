@@ -3,9 +3,12 @@
 #include "porttool/sync/renamings.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "porttool/normal/normal_text.h"
 #include "porttool/sync/operands.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
@@ -16,6 +19,28 @@ bool has_word(const AlignedText& text, const std::string& word) {
 
 /// True for a field or what a scope has: of what, its name alone does not tell.
 bool is_picked(const AlignedText& text, size_t i) { return i > 0 && is_accessor(text.words[i - 1]); }
+
+/// The comparisons that a word is held to, as `==` of `a == kNone`; none for what stands otherwise.
+std::set<std::string> comparisons_beside(const AlignedText& text, size_t i) {
+    std::set<std::string> out;
+    for (const size_t beside : {i - 1, i + 1})
+        if (beside < text.words.size() && is_one_of(text.words[beside], {"==", "!=", "<", ">", "<=", ">="}))
+            out.insert(text.words[beside]);
+    return out;
+}
+
+/// True where the target asks nothing of a name that the source does not ask, `== kNone` where that has it so: another
+/// value asked for in another way is another question.
+bool are_asked_alike(const AlignedText& source, const AlignedText& target, const std::string& name) {
+    std::set<std::string> asked;
+    for (size_t i = 0; i < source.words.size(); ++i)
+        if (source.words[i] == name) asked.merge(comparisons_beside(source, i));
+    for (size_t i = 0; i < target.words.size(); ++i)
+        if (target.words[i] == name)
+            for (const std::string& comparison : comparisons_beside(target, i))
+                if (!asked.contains(comparison)) return false;
+    return true;
+}
 
 }  // namespace
 
@@ -31,7 +56,7 @@ void Renamings::note(size_t was, size_t is) {
 bool Renamings::is_throughout(const std::string& was, const std::string& is) const {
     if (!is_name(was) || !is_name(is) || !translator_.may_be_renamed(was, is)) return false;
     if (has_word(texts_.now, was) || has_word(texts_.before, is) || !has_word(texts_.target, was) ||
-        has_word(texts_.target, is))
+        has_word(texts_.target, is) || !are_asked_alike(texts_.before, texts_.target, was))
         return false;
     for (size_t i = 0; i < texts_.target.words.size(); ++i)
         if (texts_.target.words[i] == was && (uses_.is_local_there(i) || is_picked(texts_.target, i))) return false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "porttool/language/sister_runtime.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/sync/operands.h"
@@ -67,6 +68,19 @@ size_t end_of_parts(const std::vector<std::string>& words, size_t open, size_t e
 /// True for what is taken of the standard library there.
 bool has_std_scope(const std::vector<std::string>& words, size_t i) {
     return words[i] == "std" || (i > 1 && words[i - 1] == "::" && words[i - 2] == "std");
+}
+
+/// True for a member of a class of the standard library that has arguments: `max` of `std :: numeric_limits < T > ::
+/// max`.
+bool is_of_std_template(const std::vector<std::string>& words, size_t i) {
+    if (i < 6 || words[i - 1] != "::" || words[i - 2] != ">") return false;
+    int depth = 0;
+    for (size_t k = i - 1; k-- > 2;) {
+        depth += words[k] == ">" ? 1 : words[k] == "<" ? -1 : 0;
+        if (is_one_of(words[k], {";", "{", "}"})) return false;
+        if (depth == 0) return words[k - 2] == "::" && has_std_scope(words, k - 1);
+    }
+    return false;
 }
 
 /// True for `< T > (` behind a name.
@@ -266,6 +280,11 @@ CarriedWords EditTranslator::carry_words(const std::vector<std::string>& words, 
             i += 3;
             continue;
         }
+        if (known_.has_std() && is_of_std_template(words, i)) {
+            out.words.push_back({words[i], i});
+            ++i;
+            continue;
+        }
         if (lone_.contains(words[i])) {
             out.unknown.push_back(words[i]);
             out.words.push_back({words[i], i});
@@ -345,7 +364,7 @@ bool EditTranslator::are_qualifiers(const std::vector<std::string>& words, size_
 std::string EditTranslator::number(const std::string& written) const {
     if (pair_.knows_mark_of(written)) return pair_.number(written);
     if (beside_.file().knows_mark_of(written)) return beside_.file().number(written);
-    return known_.needs_float_marks() ? Examples::marked(written) : written;
+    return known_.needs_float_marks() || known_.marks_reals() ? Examples::marked(written) : written;
 }
 
 /// A field that the source does not declare is of a type that both sides have from elsewhere.
@@ -375,14 +394,19 @@ std::string EditTranslator::word(std::string_view text, Use use) const {
     if (const auto unit = units_.names.find(text); unit != units_.names.end() && unit->second.size() == 1)
         return *unit->second.begin();
     if (text == "this" && around_.is_method && known_.are_both_cpp()) return std::string(text);
-    if (brought_.contains(text) || word_is(text, kKeyword | kTypePart | kConstant) || known_.in_file(text) ||
-        known_.is_qualifier_of_both(text))
+    // What the source's files count in, and the port's in none of its own, has another name there.
+    const bool is_other_real =
+        !known_.in_file(text) && (around_.reals.contains(text) || known_.may_lack(text)) && !brought_.contains(text);
+    const bool is_of_language = word_is(text, kKeyword | kTypePart | kConstant) && !is_other_real;
+    if (brought_.contains(text) || is_of_language || known_.in_file(text) || known_.is_qualifier_of_both(text))
         return std::string(text);
     if (std::string said = known_.in_dialect(text, use == Use::Call); !said.empty()) return said;
+    if (sister_name(text) != nullptr) return known_.in_sister_runtime(text);
     if (std::string said = pair_.renamed(text); !said.empty()) return said;
     if (std::string said = beside_.file().renamed(text); !said.empty()) return said;
     if (std::string said = said_in_folder(text, use); !said.empty()) return said;
     if (std::string said = known_.in_sister_runtime(text); !said.empty()) return said;
+    if (is_other_real) return known_.is_known_there(text) ? std::string(text) : std::string();
     if (!known_.is_known_there(text))
         if (const std::optional<std::string> said = in_other_part(text)) return *said;
     if (known_.anywhere(text)) return known_.is_known_there(text) ? std::string(text) : pair_.with_prefix_there(text);

@@ -50,6 +50,7 @@ struct UnitSurroundings {
     DeviceWait wait = {};                              ///< of the port
     std::vector<std::string> scope = {};               ///< that the port calls every built-in in: `sycl ::`
     std::set<std::string, std::less<>> fresh = {};     ///< words that its file did not have before the edit
+    std::set<std::string, std::less<>> reals = {};     ///< types of real numbers that it had before the edit
     std::set<std::string, std::less<>> gone = {};      ///< units that its file had before the edit
     std::set<std::string, std::less<>> pointers = {};  ///< variables that the port declares so
 };
@@ -92,6 +93,8 @@ public:
         return is_theirs(was) && is_theirs(is) && (known_.are_of_one_language() || known_.is_from_elsewhere(is));
     }
     bool is_on_host() const { return around_.on_host; }
+    /// How the port says that it waits for its device.
+    const DeviceWait& wait_there() const { return around_.wait; }
     bool lacks_references() const { return known_.lacks_casts(); }
     /// True where the target declares `name`, and nobody `other`, not even the edit.
     bool declares_alone(std::string_view name, std::string_view other) const {

@@ -27,6 +27,7 @@ public:
             if (texts_.edit.clause_of[c] == kNothing && !added_.held.contains(c)) remove(c);
         keep_blocks_around_own();
         leave_lost();
+        drop_blocks_around_nothing();
         drop_open_blocks();
         leave_old_uses(*this, out_);
         // In the order of the source's text, whatever came upon it.
@@ -141,6 +142,47 @@ private:
         for (size_t i = was; i-- > 0;)
             if (texts_.edit.clause_of[i] != kNothing) return now(texts_.edit.clause_of[i]).first;
         return 0;
+    }
+
+    /// A new block that comes around what the source had comes where the port has some of that.
+    void drop_blocks_around_nothing() {
+        for (size_t head = 0; head < origin_.size(); ++head) {
+            if (origin_[head] != kNothing || !now(head).opens || now(head).partner == Clause::kNone) continue;
+            if (!is_added(head) || !is_around_nothing(head)) continue;
+            const auto [one, before] = added_with(head);
+            leave("the source gained `" + shown(texts_.now.words, now(head).first, now(head).end) +
+                      "`; the port has nothing that clearly stands for what it comes around",
+                  now(head).first, std::min(before, texts_.target.words.size() - 1));
+            out_.added.erase(out_.added.begin() + static_cast<std::ptrdiff_t>(one));
+            if (is_added(now(head).partner))
+                out_.added.erase(out_.added.begin() + static_cast<std::ptrdiff_t>(added_with(now(head).partner).first));
+        }
+    }
+
+    bool is_around_nothing(size_t head) const {
+        constexpr double kAlike = 0.45;  // less may stand for something else
+        bool any = false;
+        for (size_t c = head + 1; c < now(head).partner; ++c) {
+            if (origin_[c] == kNothing || now(c).closes) continue;
+            any = true;
+            const size_t was = origin_[c];
+            const bool is_launched = std::any_of(texts_.launches.begin(), texts_.launches.end(), [&](const auto& one) {
+                return one.here.first <= was && was <= one.here.last;
+            });
+            const bool stands =
+                counterpart(was) != kNothing && (before(was).opens || texts_.across.likeness[was] >= kAlike);
+            if (is_launched || stands) return false;
+        }
+        return any;
+    }
+
+    /// Where a clause is among those that are added, and before which word these come.
+    std::pair<size_t, size_t> added_with(size_t clause) const {
+        size_t i = 0;
+        while (std::none_of(out_.added[i].clauses.begin(), out_.added[i].clauses.end(),
+                            [&](const ClauseAdded& added) { return added.source == clause; }))
+            ++i;
+        return {i, out_.added[i].before};
     }
 
     /// A block comes whole or not at all: what opens one goes with what closes it.

@@ -296,8 +296,23 @@ size_t WordChanger::before_scope(size_t first, size_t word) const {
     return word;
 }
 
-bool WordChanger::insert_run(const Hunk& hunk, size_t was, size_t there) {
+Hunk WordChanger::from_start_of_element(Hunk hunk, size_t first) const {
+    const std::vector<std::string>&old = texts_.before.words, &now = texts_.now.words;
+    const Hunk told = hunk;
+    const auto is_bracket = [&](size_t i) { return is_one_of(old[i], {"(", ")", "[", "]", "{", "}", ";"}); };
+    const auto starts = [&] { return old[hunk.first - 1] == "," || now[hunk.now_first] == ","; };
+    while (hunk.first > first + 1 && !starts()) {
+        if (is_bracket(hunk.first - 1) || old[hunk.first - 1] != now[hunk.now_end - 1]) return told;
+        --hunk.first, --hunk.end, --hunk.now_first, --hunk.now_end;
+    }
+    return hunk.first > first + 1 ? hunk : told;
+}
+
+bool WordChanger::insert_run(Hunk hunk, size_t was, size_t there) {
     const Clause &here = before(was), &other = target(there);
+    if (std::count(texts_.now.words.begin() + static_cast<std::ptrdiff_t>(hunk.now_first),
+                   texts_.now.words.begin() + static_cast<std::ptrdiff_t>(hunk.now_end), ",") > 0)
+        hunk = from_start_of_element(hunk, here.first);
     size_t left = hunk.first, right = hunk.first;
     while (left > here.first && word_of(left - 1) == kNothing) --left;
     while (right < here.end && word_of(right) == kNothing) ++right;
@@ -327,15 +342,17 @@ bool WordChanger::insert_run(const Hunk& hunk, size_t was, size_t there) {
         return false;
     }
     if (const size_t listed = place_of_enumerator(hunk); listed != kNothing && now.unknown.empty()) {
-        out_.replaced.push_back({listed, listed, now.words, hunk.now_first, hunk.now_end});
-        if (words[hunk.now_first] != ",") {  // `A ,` in front of the next is `, A` behind the one before
-            std::vector<CarriedWord>& moved = out_.replaced.back().words;
-            std::rotate(moved.begin(), moved.end() - 1, moved.end());
-        }
+        const CarriedWords moved = words[hunk.now_first] == "," ? now : with_comma_in_front(now);
+        out_.replaced.push_back({listed, listed, moved.words, hunk.now_first, hunk.now_end});
         return true;
     }
     if (was == 0 && stands_behind_other(hunk, place)) {
-        leave_run(hunk, place, "the port has its parameters in another order");
+        const size_t behind = end_of_parameter_before(hunk);
+        if (behind == kNothing || !now.unknown.empty()) {
+            leave_run(hunk, place, "the port has its parameters in another order");
+            return true;
+        }
+        put(hunk, behind, behind, words[hunk.now_end - 1] == "," ? with_comma_in_front(now) : now);
         return true;
     }
     if (was == 0 && initializes_beside_other(hunk)) {
@@ -385,24 +402,44 @@ size_t WordChanger::place_of_enumerator(const Hunk& hunk) const {
     return times == 1 && at + 1 < there.size() && is_one_of(there[at + 1], {",", "}"}) ? at + 1 : kNothing;
 }
 
+CarriedWords WordChanger::with_comma_in_front(CarriedWords element) {
+    std::rotate(element.words.begin(), element.words.end() - 1, element.words.end());
+    element.words.front().from = CarriedWord::kNoSource;
+    return element;
+}
+
+std::string WordChanger::parameter_before(const std::vector<std::string>& words, size_t i) {
+    while (i > 0 && words[i - 1] == ",") --i;
+    const bool ends = i > 1 && is_name(words[i - 1]) && i < words.size() && is_one_of(words[i], {",", ")"});
+    return ends ? words[i - 1] : std::string();
+}
+
+bool WordChanger::are_called_alike(const std::string& a, const std::string& b) {
+    const std::string here = folded(a), there = folded(b);
+    return here.starts_with(there) || there.starts_with(here);
+}
+
 bool WordChanger::stands_behind_other(const Hunk& hunk, size_t place) const {
-    const auto parameter_before = [](const std::vector<std::string>& words, size_t i) -> std::string {
-        while (i > 0 && words[i - 1] == ",") --i;
-        return i > 1 && is_name(words[i - 1]) && i < words.size() && is_one_of(words[i], {",", ")"}) ? words[i - 1]
-                                                                                                     : std::string();
-    };
-    const auto are_one = [](const std::string& a, const std::string& b) {
-        const std::string here = folded(a), there = folded(b);
-        return here.starts_with(there) || there.starts_with(here);
-    };
     const std::string here = parameter_before(texts_.before.words, hunk.first),
                       there = parameter_before(texts_.target.words, place);
-    if (here.empty() || there.empty() || are_one(here, there)) return false;
+    if (here.empty() || there.empty() || are_called_alike(here, there)) return false;
     for (size_t i = 1; i + 1 < target(0).end; ++i)
         if (is_name(texts_.target.words[i]) && is_one_of(texts_.target.words[i + 1], {",", ")"}) &&
-            are_one(here, texts_.target.words[i]))
+            are_called_alike(here, texts_.target.words[i]))
             return true;
     return false;
+}
+
+size_t WordChanger::end_of_parameter_before(const Hunk& hunk) const {
+    const std::string name = parameter_before(texts_.before.words, hunk.first);
+    const std::vector<std::string>& words = texts_.target.words;
+    size_t out = kNothing;
+    for (size_t i = 1; i + 1 < target(0).end; ++i) {
+        if (!is_name(words[i]) || !is_one_of(words[i + 1], {",", ")"}) || !are_called_alike(name, words[i])) continue;
+        if (out != kNothing) return kNothing;
+        out = i + 1;
+    }
+    return out;
 }
 
 bool WordChanger::is_idle_bracket(const Hunk& hunk) const {

@@ -60,7 +60,10 @@ private:
     size_t before_scope(size_t first, size_t word) const;
     /// New words go between the nearest words that stand for some of the target's, if it has nothing of its own there.
     /// Else an argument goes beside the one that it stands beside in the source.
-    bool insert_run(const Hunk& hunk, size_t was, size_t there);
+    bool insert_run(Hunk hunk, size_t was, size_t there);
+    /// New words of a list, moved to where an element begins or its comma stands: `a , const B b` in front of `const C`
+    /// may as well have come as `B b , const` behind `const`. Not to before `first`.
+    Hunk from_start_of_element(Hunk hunk, size_t first) const;
     /// Where the element of a list begins that has the word at `end`, with what the target has before it, as
     /// `__global float * a` for `float * a`: not before `first`, kNothing where none begins from there on.
     size_t start_of_element(size_t first, size_t end) const;
@@ -75,6 +78,14 @@ private:
     /// True for a new parameter that would come behind another one than in the source, which the target has elsewhere
     /// under the same name or one that begins so.
     bool stands_behind_other(const Hunk& hunk, size_t place) const;
+    /// The name of the parameter that ends before word `i`; "" for none.
+    static std::string parameter_before(const std::vector<std::string>& words, size_t i);
+    /// True for names of which one begins with the other.
+    static bool are_called_alike(const std::string& a, const std::string& b);
+    /// Where the target's parameter ends that is called as the one before new ones; kNothing for none, or several.
+    size_t end_of_parameter_before(const Hunk& hunk) const;
+    /// `A ,` in front of the next is `, A` behind the one before.
+    static CarriedWords with_comma_in_front(CarriedWords element);
     /// Behind which word a new enumerator comes where the target lists them in another order: behind the one that
     /// stands before it in the source; kNothing where that is not told.
     size_t place_of_enumerator(const Hunk& hunk) const;

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+// Edits whose place and words look sure and that are another thing in the port; beside each what is sure.
+#include "tests/porttool/synced_repository.h"
+
+namespace porttool::testing {
+namespace sync_doubt_test {
+
+class SyncDoubt : public SyncedRepository {};
+
+TEST_F(SyncDoubt, WhatHipCallsOtherwiseHasItsNameThere) {
+    const auto file = [](const std::string& run, const std::string& more) {
+        return "int room(float** all, int n) {\n  " + run + "Malloc((void**)all, n);\n  " + run +
+               "Memset(*all, 0, n);\n" + more + "  return n;\n}\n";
+    };
+    start("k.cu", file("cuda", ""), "k.hip", file("hip", ""));
+    expect_ported(file("cuda",
+                       "  cudaDeviceProp device;\n  cudaGetDeviceProperties(&device, 0);\n"
+                       "  cudaHostAlloc((void**)all, n, cudaHostAllocMapped);\n"),
+                  file("hip",
+                       "  hipDeviceProp_t device;\n  hipGetDeviceProperties(&device, 0);\n"
+                       "  hipHostMalloc((void**)all, n, hipHostMallocMapped);\n"));
+}
+
+const std::string kAsks =
+    "int shape(const Picture* p, int n) {\n  int state = 0;\n  if (p->kind == PlainKind) state = rows(p, n);\n"
+    "  if (p->kind == PlainKind) state += columns(p, n);\n  return state;\n}\n";
+
+TEST_F(SyncDoubt, AValueThatIsAskedForInAnotherWayThereIsNotRenamed) {
+    const std::string now = replaced(kAsks, "PlainKind", "NoKind");
+    const std::string port =
+        "int shape(const Picture* p, int n) {\n  int state = 0;\n  if (p->kind != PlainKind) return whole(p, n);\n"
+        "  return state;\n}\n";
+    start("k.c", kAsks, "k.cpp", port);
+    const nlohmann::json got = proposal_of(now);
+    EXPECT_NE(got["state"], "proposed") << got.dump(1);
+}
+
+TEST_F(SyncDoubt, AValueThatIsAskedForAlikeIsRenamed) {
+    const std::string port =
+        "int shape(const Picture* p, int n) {\n  int state = 0;\n  if (p->kind == PlainKind) state = rows(p, n);\n"
+        "  if (p->kind == PlainKind) state += columns(p, n);\n  if (p->kind == PlainKind) tell(p);\n"
+        "  return state;\n}\n";
+    start("k.c", kAsks, "k.cpp", port);
+    expect_ported(replaced(kAsks, "PlainKind", "NoKind"), replaced(port, "PlainKind", "NoKind"));
+}
+
+TEST_F(SyncDoubt, AnElementsTypeIsNotChangedWherePortStillSizesItByTheOldOne) {
+    const auto file = [](const std::string& type, const std::string& own) {
+        return "void spread(const float* x, int n) {\n  " + type + " *columns = (" + type + " *)malloc(n * sizeof(" +
+               type + "));\n  fill(columns, x, n);\n" + own + "  free(columns);\n}\n";
+    };
+    start("k.c", file("int", ""), "k.cpp", file("int", "  q.memcpy(far, columns, n * sizeof(int));\n"));
+    expect_left(file("size_t", ""), "still sizes it", 4);
+}
+
+TEST_F(SyncDoubt, AnElementsTypeChangesWhereTheRestIsSizedByIt) {
+    const auto file = [](const std::string& type, const std::string& own) {
+        return "void spread(const float* x, int n) {\n  " + type + " *columns = (" + type + " *)malloc(n * sizeof(" +
+               type + "));\n  fill(columns, x, n);\n" + own + "  free(columns);\n}\n";
+    };
+    const std::string own = "  q.memcpy(far, columns, n * sizeof(*columns));\n";
+    start("k.c", file("int", ""), "k.cpp", file("int", own));
+    expect_ported(file("size_t", ""), file("size_t", own));
+}
+
+TEST_F(SyncDoubt, ALoopToAnotherEndDoesNotCountInTheNewType) {
+    const auto file = [](const std::string& type, const std::string& end) {
+        return "void spread(float* x, int rows, int rounds) {\n  for (" + type + " i = 0; i < " + end +
+               "; i++) {\n    x[i] = 0.5f;\n  }\n}\n";
+    };
+    start("k.c", file("int", "rows"), "k.cpp", file("int", "rounds"));
+    expect_left(file("size_t", "rows"), "runs to another end", 2);
+}
+
+TEST_F(SyncDoubt, ALoopToTheSameEndCountsInTheNewType) {
+    const auto file = [](const std::string& type) {
+        return "void spread(float* x, int rows) {\n  for (" + type +
+               " i = 0; i < rows; i++) {\n    x[i] = 0.5f;\n  }\n}\n";
+    };
+    start("k.c", file("int"), "k.cpp", file("int"));
+    expect_ported(file("size_t"), file("size_t"));
+}
+
+TEST_F(SyncDoubt, ADirectiveAloneIsNoNeighbourOfAField) {
+    const std::string source =
+        "struct Push {\n  uint size;\n#ifdef IDS\n  uint rows;\n#else\n  uint split;\n#endif\n  uint last;\n};\n";
+    const auto port = [](const std::string& more) {
+        return "struct Push {\n  uint size;\n#ifdef IDS\n  uint rows;\n#else\n" + more +
+               "  ivec2 ne02;\n  float3 scale;\n  mat4 turn;\n#endif\n  uint last;\n};\n";
+    };
+    start("k.h", source, "k.cpp", port(""));
+    expect_left(replaced(source, "  uint split", "  uint batches;\n  uint split"), "something else behind that", 5);
+}
+
+TEST_F(SyncDoubt, ANewBlockComesAroundWhatThePortHas) {
+    const auto file = [](const std::string& call) {
+        return "void sort(Work& done, int n) {\n  gather(done, n);\n" + call + "  hand_back(done, n);\n}\n";
+    };
+    start("k.cpp", file("  sort_rest<int>(done, n);\n"), "k.cu",
+          file("  const int* rows = done.data();\n  const unsigned size = done.count;\n"));
+    const nlohmann::json got = proposal_of(file("  if (n > 0)\n    sort_rest<int>(done, n);\n"));
+    EXPECT_EQ(got["state"], "refused") << got.dump(1);
+}
+
+TEST_F(SyncDoubt, AMemberOfAClassOfTheStandardLibraryKeepsItsName) {
+    const auto file = [](const std::string& most, const std::string& more) {
+        return "int top(int a, int b) {\n  int c = " + most + "(a, b);\n  int d = " + most + "(c, 3);\n  c = " + most +
+               "(c, d);\n" + more + "  return c;\n}\n";
+    };
+    start("k.cu", "#include <limits>\n" + file("max", ""), "k.hip", "#include <limits>\n" + file("TOP_MAX", ""));
+    expect_ported("#include <limits>\n" + file("max", "  if (c == std::numeric_limits<int>::max()) c = 1;\n"),
+                  "#include <limits>\n" + file("TOP_MAX", "  if (c == std::numeric_limits<int>::max()) c = 1;\n"));
+}
+
+TEST_F(SyncDoubt, ALibrarysSwitchIsNotThePorts) {
+    const auto file = [](const std::string& run, const std::string& more) {
+        return "void step(float* x, int n) {\n  " + run + "Memset(x, 0, n);\n" + more + "  " + run + "Free(x);\n}\n";
+    };
+    start("k.cu", file("cuda", ""), "k.hip", file("hip", ""));
+    const nlohmann::json got = proposal_of(file("cuda", "#ifdef CUDNN_STEP\n  n = 2;\n#endif\n"));
+    ASSERT_FALSE(got["left"].empty()) << got.dump(1);
+    EXPECT_NE(got["left"][0]["message"].get<std::string>().find("CUDNN_STEP"), std::string::npos) << got.dump(1);
+}
+
+TEST_F(SyncDoubt, ADoubleIsNoWordOfADevicesFileThatHasNone) {
+    const auto file = [](const std::string& type, const std::string& more) {
+        return type + "4 turn(" + type + "4 z) {\n" + more + "  z.x = z.x * z.y;\n  return z;\n}\n";
+    };
+    start("k.cpp", file("Vector", ""), "k.cl", file("REAL", ""));
+    expect_left(file("Vector", "  double part = z.x;\n"), "`double`", 1);
+}
+
+TEST_F(SyncDoubt, NewParametersGoBehindTheOneThatThePortCallsAlike) {
+    const auto source = [](const std::string& more) {
+        return "float shade(const Colour &colour, const float rough, const float sheen, const float tint,\n" + more +
+               "    const Vector &light, const Vector &eye, float *pdf) {\n  return rough * sheen * tint;\n}\n";
+    };
+    const auto port = [](const std::string& more) {
+        return "float shade(const Vector light, const Vector eye, float *pdf, const Colour colourVal,\n"
+               "    const float roughVal, const float sheenVal, const float tintVal" +
+               more + ") {\n  return roughVal * sheenVal * tintVal;\n}\n";
+    };
+    start("k.cpp", source(""), "k.cl", port(""));
+    const nlohmann::json got = proposal_of(source("    const float depth, const float ior,\n"));
+    ASSERT_TRUE(got["patch"].is_string()) << got.dump(1);
+    EXPECT_NE(dense(got["patch"]).find("tintVal,constfloatdepth,constfloatior){"), std::string::npos) << got.dump(1);
+}
+
+TEST_F(SyncDoubt, AClockIsAskedBehindAWaitOfThePortsOwn) {
+    const auto file = [](const std::string& copy, const std::string& more) {
+        return "int run(sycl::queue& q, float* near, float* far, int n) {\n" + copy + more +
+               "  report(near, n);\n  return n;\n}\n";
+    };
+    const std::string wait = "  q.memcpy(near, far, n);\n  q.wait();\n";
+    start("k.cu", replaced(file("  cudaMemcpy(near, far, n, cudaMemcpyDeviceToHost);\n", ""), "sycl::queue& q, ", ""),
+          "k.cpp", "#include <sycl/sycl.hpp>\n" + file(wait, ""));
+    expect_ported(replaced(file("  cudaMemcpy(near, far, n, cudaMemcpyDeviceToHost);\n", "  int wrong = 0;\n"),
+                           "sycl::queue& q, ", ""),
+                  "#include <sycl/sycl.hpp>\n" + file(wait, "  int wrong = 0;\n"));
+}
+
+TEST_F(SyncDoubt, AClockThatStartsABlockIsAskedBeforeWhatTakesItsTime) {
+    const auto file = [](const std::string& own, const std::string& more) {
+        return "void bench(int n) {\n" + own + more + "  measure(n);\n}\n";
+    };
+    start("k.cpp", file("", ""), "k.cu", file("  prepare_device();\n", ""));
+    expect_ported(file("", "  auto first = clock::now();\n"),
+                  file("  prepare_device();\n", "  auto first = clock::now();\n"));
+}
+
+}  // namespace sync_doubt_test
+}  // namespace porttool::testing
