@@ -30,6 +30,7 @@
 #include "porttool/compare/switch_arms.h"
 #include "porttool/compare/switch_cases.h"
 #include "porttool/compare/unread_locals.h"
+#include "porttool/judge/same_edit_beside.h"
 #include "porttool/language/hazards.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/prelude.h"
@@ -512,6 +513,8 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
                    there_is + " has an arm for each of these labels");
         return;
     }
+    if (const std::string beside = same_edit_beside(facts_, pair, side, before, dialect_); !beside.empty())
+        return weaken(pair, finding, Level::Note, "the same edit came to " + beside + ", which no pair watches");
     if (const Nearing nearing = draws_nearer(texts, dialect_); nearing != Nearing::No) {
         const bool in_order = nearing == Nearing::Yes;
         const bool is_slip = only_takes(texts.before, texts.now) && words_edited(texts.before, texts.now) < kNoSlip;

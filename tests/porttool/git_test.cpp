@@ -95,6 +95,32 @@ TEST_F(Git, ALineAcceptedSinceTheBaseCounts) {
     EXPECT_EQ(check({"--base", "base"})["verdict"], "drift");
 }
 
+TEST_F(Git, AgainstARevisionTheSameEditBesideAPairIsItsPortsToo) {
+    const auto source_now = [&](const std::string& count) {
+        return source + "void launch(float* out) {\n  const int n = " + count + ";\n  shade<<<n, 1>>>(out, n);\n}\n";
+    };
+    const auto port_now = [&](const std::string& count) {
+        return replaced(target, "return c * 0.5;", "const int n = " + count + ";\n  return n > 0 ? c * 0.5 : 0.0;");
+    };
+    const auto levels = [&](const std::string& in_source, const std::string& in_port) {
+        write("src/k.cu", source_now(in_source));
+        write("port/k.comp", port_now(in_port));
+        std::string out;
+        const nlohmann::json report = check({"--base", "HEAD"});
+        for (const auto& finding : report["findings"])
+            out += finding["rule"].get<std::string>() + " " + finding["level"].get<std::string>() + ", ";
+        return out;
+    };
+    write("src/k.cu", source_now("size() - taps"));
+    write("port/k.comp", port_now("size() - taps"));
+    ASSERT_EQ(porttool({"accept", "--all", "--force"}).exit_code, 0);
+    git("add -A");
+    git("commit -qm launcher");
+    EXPECT_EQ(levels("size() - taps", "size() - taps + 1"), "target-changed warning, ");
+    EXPECT_EQ(levels("size() - taps + 1", "size() - taps + 1"), "target-changed note, ");
+    EXPECT_EQ(levels("size() - taps - 1", "size() - taps + 1"), "target-changed warning, ");
+}
+
 TEST_F(Git, TheLockIsNotNeededAgainstARevision) {
     std::filesystem::remove(root / "portmap.lock");
     std::filesystem::remove_all(root / "portmap.base");

@@ -189,6 +189,36 @@ TEST(QuietGate, WhatTouchesNothingInCommonIsThePortsOwnMatter) {
     EXPECT_EQ(after_port(open, "device.open();\n  if (n > 0 && lim > 0) { y[0] = lim; x = y + n; }"), told);
 }
 
+TEST(QuietGate, TheSameEditOfALauncherIsThePortsToo) {
+    const std::string kernel =
+        "__global__ void fir(float* y, const float* x, int n) {\n  const int i = blockIdx.x * blockDim.x + "
+        "threadIdx.x;\n  if (i < n) { y[i] = 0.25f * x[i] + 0.5f * x[i + 1] + 0.25f * x[i + 2]; }\n}\n";
+    const std::string host =
+        "void Fir::launch(Pool& pool) {\n  const int n = size() - taps;\n  fir<<<n / 256, 256>>>(pool.out(), "
+        "pool.in(), "
+        "n);\n}\n";
+    const std::string port =
+        "void Fir::run(Pool& pool) {\n  const int n = size() - taps;\n  float* y = pool.out();\n  const float* x = "
+        "pool.in();\n  for (int i = 0; i < n; ++i) { y[i] = 0.25f * x[i] + 0.5f * x[i + 1] + 0.25f * x[i + 2]; }\n}\n";
+    const auto after = [&](const std::string& to_host, const std::string& to_port, const std::string& rest = "") {
+        const std::string what = "size() - taps;";
+        return loud(
+            {{"s/k.cu", kernel + host + rest}, {"t/k.cpp", port}},
+            {{"s/k.cu", kernel + replaced(host, what, to_host) + rest}, {"t/k.cpp", replaced(port, what, to_port)}},
+            {"s/k.cu:fir=t/k.cpp:Fir::run"});
+    };
+    const Loud told = {"target-changed s/k.cu:fir"};
+    EXPECT_EQ(after("size() - taps;", "size() - taps + 1;"), told);
+    EXPECT_EQ(after("size() - taps + 1;", "size() - taps + 1;"), Loud{});
+    EXPECT_EQ(after("size() - taps + 1;", "size() - taps - 1;"), told);
+    EXPECT_EQ(after("size() - taps + 1;", "size() - taps + 1;\n  check(pool, n);"), told) << "a part of it";
+    EXPECT_EQ(after("size() - taps; n += taps;", "size() - taps + 1;"), told) << "another edit";
+    EXPECT_EQ(after("size() - taps;", "size() - taps + 1;",
+                    "int most(int taps) { const int n = size() - taps + 1; return n; }\n"),
+              told)
+        << "it was not edited";
+}
+
 TEST(QuietGate, WhereTextsAreApartOnlyWholeClausesAreCommonGround) {
     const std::string source =
         "__kernel void f(__global float* y, __global const float* x, const int n) {\n"
