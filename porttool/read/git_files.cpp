@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
-#include <set>
 #include <vector>
 
 #include "porttool/read/disk.h"
+#include "porttool/read/git_base.h"
 #include "porttool/read/git_links.h"
 #include "porttool/read/git_open.h"
 #include "porttool/read/source_files.h"
@@ -21,7 +21,6 @@
 namespace porttool {
 namespace {
 
-using Object = GitOwned<git_object, git_object_free>;
 using Commit = GitOwned<git_commit, git_commit_free>;
 using Tree = GitOwned<git_tree, git_tree_free>;
 using Index = GitOwned<git_index, git_index_free>;
@@ -197,96 +196,6 @@ bool read_tree(const Walk& walk, const git_oid& commit_id) {
     return walk.out.error.empty();
 }
 
-/// How to get a revision that is not here. Of a shallow clone all is missing that HEAD~1 and its like are counted from.
-std::string fetch_command(const std::string& revision, bool is_shallow) {
-    const std::string remote = "origin/";
-    if (is_shallow && revision.find_first_of("~^@:") != std::string::npos)
-        return "git fetch --unshallow (in CI: fetch-depth: 0)";
-    if (revision.starts_with('-')) return "git fetch origin";  // no option to git
-    if (revision.starts_with(remote)) return "git fetch origin " + shell_word(revision.substr(remote.size()));
-    return "git fetch origin " + shell_word(revision) + ", and then use --base FETCH_HEAD";
-}
-
-/// The references that the name in front of a revision may mean, where these are several commits: git takes the first,
-/// and so whoever may push a tag `origin/main` would choose what a change is held against.
-std::vector<std::string> other_meanings(git_repository* repository, const std::string& revision) {
-    const std::string name = revision.substr(0, std::min({revision.find_first_of("~^:"), revision.find("@{")}));
-    std::vector<std::string> found;
-    std::set<std::string> commits;
-    for (const std::string in : {"", "refs/", "refs/tags/", "refs/heads/", "refs/remotes/"}) {
-        git_reference* reference = nullptr;
-        if (git_reference_lookup(&reference, repository, (in + name).c_str()) != 0) continue;
-        const std::unique_ptr<git_reference, decltype(&git_reference_free)> owner(reference, git_reference_free);
-        git_object* commit = nullptr;
-        if (git_reference_peel(&commit, reference, GIT_OBJECT_COMMIT) != 0) {
-            tell_refused_object();
-            continue;
-        }
-        const Object object(commit);
-        found.push_back(in + name);
-        commits.insert(git_oid_tostr_s(git_object_id(commit)));
-    }
-    return commits.size() > 1 ? found : std::vector<std::string>();
-}
-
-/// True if a commit can be reached from another by what is here. Unlike git, libgit2 takes the parents that a shallow
-/// clone left out for an error, and so finds no merge base where that is the oldest commit of the clone.
-bool is_reached(git_repository* repository, const git_oid& wanted, const git_oid& from) {
-    const auto before = [](const git_oid& a, const git_oid& b) { return git_oid_cmp(&a, &b) < 0; };
-    std::set<git_oid, decltype(before)> seen({from}, before);
-    std::vector<git_oid> open = {from};
-    while (!open.empty()) {
-        const git_oid at = open.back();
-        open.pop_back();
-        if (git_oid_equal(&at, &wanted) != 0) return true;
-        git_commit* commit = nullptr;
-        if (git_commit_lookup(&commit, repository, &at) != 0) {
-            tell_refused_object();
-            continue;
-        }
-        const std::unique_ptr<git_commit, decltype(&git_commit_free)> owner(commit, git_commit_free);
-        for (unsigned k = 0; k < git_commit_parentcount(commit); ++k)
-            if (seen.insert(*git_commit_parent_id(commit, k)).second) open.push_back(*git_commit_parent_id(commit, k));
-    }
-    return false;
-}
-
-/// The commit that a change is held against, or why there is none.
-struct MergeBase {
-    git_oid commit{};
-    std::string error = {};
-};
-
-MergeBase no_base(std::string error) { return {{}, std::move(error)}; }
-
-MergeBase merge_base_with(git_repository* repository, const std::string& revision) {
-    git_oid head{};
-    MergeBase out;
-    if (git_reference_name_to_id(&head, repository, "HEAD") != 0)
-        return no_base("HEAD names no commit yet; commit once, or check without --base");
-    if (const std::vector<std::string> all = other_meanings(repository, revision); !all.empty())
-        return no_base("--base " + terminal_text(revision) + ": " +
-                       terminal_text(fmt::format("{}", fmt::join(all, " and "))) +
-                       " are several commits\nWrite out the one that is meant");
-    git_object* found = nullptr;
-    const bool is_there = git_revparse_single(&found, repository, (revision + "^{commit}").c_str()) == 0;
-    tell_refused_object();
-    const bool is_shallow = git_repository_is_shallow(repository) != 0;
-    if (!is_there)
-        return no_base("--base " + terminal_text(revision) + ": no such revision here\nFetch it first: " +
-                       terminal_text(fetch_command(revision, is_shallow)));
-    const Object base(found);
-    if (is_shallow && is_reached(repository, *git_object_id(base.get()), head)) {
-        out.commit = *git_object_id(base.get());
-    } else if (git_merge_base(&out.commit, repository, git_object_id(base.get()), &head) != 0) {
-        tell_refused_object();
-        return no_base("--base " + terminal_text(revision) +
-                       ": no common ancestor with HEAD is here, as in a shallow clone\nFetch the history: git fetch "
-                       "--unshallow (in CI: fetch-depth: 0)");
-    }
-    return out;
-}
-
 }  // namespace
 
 GitFiles GitRepository::files_at_base(const std::string& revision, const WantsFile& wants,
@@ -298,37 +207,9 @@ GitFiles GitRepository::files_at_base(const std::string& revision, const WantsFi
     if (!base.error.empty()) return {{}, {}, {}, base.error};
     EntryCount entries(kMergeBase);
     uint64_t bytes = 0;
+    out.note = base.note;
     read_tree({out, repository, folder(), "", wants, folders, entries, bytes}, base.commit);
     return out;
-}
-
-FolderAtBase GitRepository::folder_at_base(const std::string& revision, const std::string& path,
-                                           const std::string& mark) const {
-    if (!error_.empty()) return {error_};
-    git_repository* repository = handle_->repository();
-    const MergeBase base = merge_base_with(repository, revision);
-    if (!base.error.empty()) return {base.error};
-    git_commit* commit = nullptr;
-    git_tree* tree = nullptr;
-    if (git_commit_lookup(&commit, repository, &base.commit) != 0) return {git_last_error()};
-    const Commit commit_owner(commit);
-    if (git_commit_tree(&tree, commit) != 0) return {git_last_error()};
-    const Tree tree_owner(tree);
-    const GitEntryAt at = entries_of_tree(tree);
-    EntryCount entries(kMergeBase);
-    const GitPlace place = follow_git_links(repository, at, entries, folder() + path);
-    FolderAtBase out;
-    out.is_there = place.entry.kind == GitEntry::Kind::Folder;
-    out.path = place.path;
-    std::string one = path;
-    while (true) {
-        const std::string marked = folder() + (one.empty() ? "" : one + "/") + mark;
-        if (follow_git_links(repository, at, entries, marked).entry.kind == GitEntry::Kind::File)
-            out.marked.insert(one);
-        if (one.empty()) return out;
-        const size_t slash = one.find_last_of('/');
-        one.erase(slash == std::string::npos ? 0 : slash);
-    }
 }
 
 namespace {

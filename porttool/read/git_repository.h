@@ -22,6 +22,12 @@ struct GitFiles {
     /// Paths of which nobody here knows what they hold: submodules that are not checked out, links that lead elsewhere.
     std::set<std::string> unknown = {};
     std::string error = {};
+    std::string note = {};  ///< where they are not those of the merge base with the revision that was named
+};
+
+/// A submodule by the path that was asked for, and by that without a link in it; no names for none.
+struct ModulePath {
+    std::string named = {}, real = {};
 };
 
 /// What the merge base has of a folder, or why that cannot be told.
@@ -30,6 +36,7 @@ struct FolderAtBase {
     bool is_there = false;              ///< it is a folder, maybe behind a link
     std::string path = {};              ///< without a link in it, from the work tree's own folder
     std::set<std::string> marked = {};  ///< itself and the folders above it, as it was asked for, that hold the mark
+    ModulePath module = {};             ///< the outermost submodule that it is or lies in
 };
 
 /// Whether a path is wanted; others are not read.
@@ -120,6 +127,9 @@ public:
     /// What merge-base(revision, HEAD) has at the path of a folder ("" for the root), and which of the folders from
     /// there up to the root have a file of the name `mark`.
     FolderAtBase folder_at_base(const std::string& revision, const std::string& path, const std::string& mark) const;
+    /// The links of the index, by their paths in the work tree, where merge-base(revision, HEAD) has a folder or a
+    /// submodule.
+    std::vector<std::string> links_for_folders(const std::string& revision) const;
     /// The files of the index, or of the one that git gave the hook that we run in.
     GitFiles files_in_index(const WantsFile& wants, const std::vector<std::string>& folders = {}) const;
     /// The wanted files that the index names; none, and no error, outside of any repository.

@@ -252,8 +252,8 @@ void add_other_checkout(Snapshot& snapshot) {
     if (at_base) {
         if (!files.error.empty()) {
             files = ask_git(root, {Moment::Kind::MergeBase, "HEAD"}, wants, target.folders());
-            snapshot.note = "--base " + terminal_text(snapshot.at.revision) + " names nothing in " +
-                            terminal_text(root) + "; its HEAD is taken for the port as it was";
+            snapshot.note += (snapshot.note.empty() ? "--base " : "\n--base ") + terminal_text(snapshot.at.revision) +
+                             " names nothing in " + terminal_text(root) + "; its HEAD is taken for the port as it was";
         }
         if (!files.error.empty()) throw CannotDo("target_root: " + files.error);
     }
@@ -279,6 +279,7 @@ void fetch(Snapshot& snapshot) {
     if (record.in_commits) folders.push_back(record.map);
     GitFiles files = ask_git(project.root, snapshot.at, wants, folders);
     snapshot.unknown = {files.unknown, files.unknown};
+    snapshot.note = files.note;
     add_files(snapshot.git, project.root, std::move(files));
     if (!project.map.target_root.empty()) add_other_checkout(snapshot);
 }

@@ -232,6 +232,137 @@ TEST_F(HostileGit, ASubmoduleThatIsTheTargetsRootIsHeldAgainstWhatTheBaseNamed) 
     EXPECT_NE(got.err.find("the submodule cpu/ cannot be read"), std::string::npos) << got.err;
 }
 
+/// Shell functions that make a small project (`project FOLDER`), edit one side or both, and commit.
+const std::string kShell =
+    "set -e; git() { command git -c user.name=a -c user.email=a@b -c advice.addEmbeddedRepo=false -c "
+    "advice.addIgnoredFile=false \"$@\"; }\n"
+    "project() { mkdir -p $1/src; echo 'float f(float x) { return x; }' | tee $1/src/a.cu > $1/src/a.cpp; printf "
+    "'version = 1\\n[sides]\\nsource = [\"src/*.cu\"]\\ntarget = [\"src/*.cpp\"]\\n[[pair]]\\nsource = "
+    "\"src/a.cu:f\"\\ntarget = \"src/a.cpp:f\"\\n' > $1/portmap.toml; }\n"
+    "edit() { for file in \"$@\"; do sed -i 's/return x/return 2.0f * x/' $file; done; }\n"
+    "save() { git -C $1 add -A; git -C $1 commit -qm $1 > /dev/null; }\n"
+    "made() { git -C $1 init -q -b then; save $1; }\n"
+    "moved() { save $1; git -C $1 branch -f then; git -C $1 checkout -q --detach; }\n";
+
+class CheckedSubmodule : public HostileGit {
+protected:
+    void shell(const std::string& script) const {
+        ASSERT_EQ(std::system(("cd '" + root.string() + "'\n" + kShell + script).c_str()), 0) << script;
+    }
+    /// Folders with a project each: two of the repository, two submodules, and one in a submodule of such a one.
+    void SetUp() override {
+        HostileGit::SetUp();
+        shell(
+            "for folder in pa pb sub other sub/inner; do project $folder; done\n"
+            "for folder in sub/inner sub other; do made $folder; git -C $folder checkout -q --detach; done\n"
+            "git -C sub commit -q --allow-empty -m more; git -C sub branch -f then HEAD; ln -s pa link\n"
+            "save .; git branch then; git checkout -q -b change");
+        fs::rename(root, start());
+    }
+    void TearDown() override {
+        fs::remove_all(start());
+        HostileGit::TearDown();
+    }
+    fs::path start() const { return root.string() + "_start"; }
+    /// Makes a change, from the start, and commits it where no file `kept` is there.
+    void change(const std::string& script) {
+        fs::remove_all(root);
+        ASSERT_EQ(std::system(("cp -a '" + start().string() + "' '" + root.string() + "'").c_str()), 0);
+        shell(script + "\n[ -f kept ] || save . || true");
+    }
+    CommandRun check(const std::string& folder, const std::vector<std::string>& more) {
+        std::vector<std::string> command = {"check", "--base", "then", "--strict"};
+        command.insert(command.end(), more.begin(), more.end());
+        return porttool(command, (root / folder).string());
+    }
+};
+
+/// A change moves a submodule to another commit, or exchanges it: what its own branches are then is the author's
+/// choice. The commit that the repository around it named counts.
+TEST_F(CheckedSubmodule, IsHeldAgainstWhatTheRepositoryAroundItNamed) {
+    struct Row {
+        const char *what, *change, *folder;
+        int exit_code;
+        const char *told, *untold;
+    };
+    const char *held = "is held against", *gone = "was a submodule at the merge base of then";
+    const std::vector<Row> rows = {
+        {"nothing", "true", "sub", 0, "", held},
+        {"one side, its branch moved along", "edit sub/src/a.cu; moved sub", "sub", 1, held, "cannot"},
+        {"one side, seen from below", "edit sub/src/a.cu; moved sub", "sub/src", 1, held, "cannot"},
+        {"both sides", "edit sub/src/*; moved sub", "sub", 0, held, "cannot"},
+        {"another folder of it", "echo > sub/note.txt; moved sub", "sub", 0, held, "cannot"},
+        {"one side, not committed around it", "edit sub/src/a.cu; save sub; touch kept", "sub", 1, "", held},
+        {"an older commit",
+         "edit sub/src/a.cu; save sub; edit sub/src/a.cpp; moved sub; save .; git branch -f then;"
+         "git -C sub checkout -q HEAD~1; git -C sub branch -f then",
+         "sub", 1, held, "cannot"},
+        {"a submodule in it", "edit sub/inner/src/a.cpp; moved sub/inner; moved sub", "sub/inner", 1, held, "cannot"},
+        {"another repository", "rm -rf sub; cp -r other sub; echo > sub/note.txt; moved sub", "sub", 2,
+         "is not in the repository that is there now", held},
+        {"another repository, in a submodule",
+         "rm -rf sub/inner; cp -r other sub/inner; echo > sub/inner/n; "
+         "moved sub/inner; moved sub",
+         "sub/inner", 2, "is not in the repository that is there now", held},
+        {"files", "rm -rf sub; project sub", "sub", 2, gone, held},
+        {"files, from below", "rm -rf sub; project sub", "sub/src", 2, gone, held},
+        {"gone, but not from the disk", "mv sub s; save .; mv s sub; touch kept", "sub", 2, gone, held},
+        {"a link to a folder", "rm -rf sub; ln -s pa sub", "sub", 2, "leads to", held},
+        {"a link to another submodule", "rm -rf sub; ln -s other sub", "sub", 2, "leads to", held},
+        {"a link in the place of the one around it", "mkdir s; cp -r sub/inner s; rm -rf sub; ln -s s sub", "sub/inner",
+         2, "leads to", held},
+        {"new", "cp -r other new; edit new/src/a.cu; moved new", "new", 0, "", held},
+        {"another submodule", "edit other/src/a.cu; moved other", "sub", 0, "", held},
+        {"a repository that no commit has", "echo mine > .gitignore; cp -r other mine; edit mine/src/a.cu; moved mine",
+         "mine", 0, "", held},
+        {"a revision of the repository around it alone", "git -C sub branch -D then", "sub", 0, held, "cannot"},
+        {"the same, one side", "git -C sub branch -D then; edit sub/src/a.cu; save sub", "sub", 1, held, "cannot"},
+        {"a revision of the submodule alone", "edit sub/src/a.cu; save sub; git branch -D then", "sub", 1, "", held},
+    };
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.what);
+        change(row.change);
+        const CommandRun got = check(row.folder, {});
+        EXPECT_EQ(got.exit_code, row.exit_code) << got.out << got.err;
+        EXPECT_NE(got.err.find(row.told), std::string::npos) << got.err;
+        EXPECT_EQ(got.err.find(row.untold), std::string::npos) << got.err;
+        EXPECT_EQ(check(row.folder, {"--trusted-map"}).exit_code, row.exit_code);
+    }
+}
+
+/// A process finds itself where a link led that it was started in, and does not see by which name.
+TEST_F(CheckedSubmodule, AProcessThatALinkMayHaveLedHereAsksForTheFolder) {
+    struct Row {
+        const char *what, *change, *here;
+        bool is_told;
+    };
+    const std::vector<Row> rows = {
+        {"nothing", "true", "pb", false},
+        {"a link in the place of a folder", "rm -r pa; ln -s pb pa", "pb", true},
+        {"the same, seen from below", "rm -r pa; ln -s pb pa", "pb/src", true},
+        {"the same, seen from elsewhere", "rm -r pa; ln -s other pa", "pb", false},
+        {"a link to the whole", "rm -r pa; ln -s . pa; project .", ".", true},
+        {"a link in the place of a submodule", "rm -rf sub; ln -s pb sub", "pb", true},
+        {"a link to a submodule", "rm -r pa; ln -s other pa", "other", true},
+        {"a link above", "rm -r pa; ln -s pb/src pa", "pb/src", true},
+        {"a link further below", "rm -r pa; ln -s pb/src pa", "pb", false},
+        {"a link of before", "rm link; ln -s pb link", "pb", false},
+        {"a new link", "ln -s pb new", "pb", false},
+        {"a link in the place of a file", "rm pa/src/a.cu; ln -s ../../pb/src/a.cu pa/src/a.cu", "pb", false},
+    };
+    const fs::path before = fs::current_path();
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.what);
+        change(row.change);
+        fs::current_path(root / row.here);
+        const CommandRun got = run(disk, {"check", "--base", "then"});
+        fs::current_path(before);
+        EXPECT_EQ(got.exit_code, row.is_told ? 2 : 0) << got.out << got.err;
+        EXPECT_EQ(got.err.find("Name the folder: porttool check -C ") != std::string::npos, row.is_told) << got.err;
+        EXPECT_NE(check(row.here, {}).exit_code, 2) << "who names the folder means it";
+    }
+}
+
 /// Files reached through links are those of the merge base and of the index as they are those of the work tree.
 TEST_F(HostileGit, LinksInACommitLeadWhereThoseOfAWorkTreeLead) {
     struct Row {
