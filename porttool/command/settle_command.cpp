@@ -15,6 +15,7 @@
 #include "porttool/judge/macro_record.h"
 #include "porttool/judge/settle.h"
 #include "porttool/read/clock.h"
+#include "porttool/read/git_repository.h"
 #include "porttool/snapshot/lock_store.h"
 #include "porttool/snapshot/map_edit.h"
 #include "porttool/snapshot/map_merge.h"
@@ -121,11 +122,23 @@ struct Acceptance {
     std::deque<JudgedPair> fresh;          ///< those of them that no map names yet
 };
 
-/// Finds the pairs that the ids name. Throws CannotDo for one that names none.
+/// Throws CannotDo for a pair of which a unit is not there: it can be in step with nothing.
+void require_both_there(const CheckedProject& checked, const JudgedPair& pair) {
+    if (pair.unit.source != nullptr && pair.unit.target != nullptr) return;
+    const std::string& lost = pair.unit.source == nullptr ? pair.id.source : pair.id.target;
+    const auto& findings = checked.judgement.findings;
+    const auto told = std::find_if(findings.begin(), findings.end(), [&](const Finding& f) { return is_of(f, pair); });
+    throw CannotDo(terminal_text(pair.id.source + "=" + pair.id.target) + ": " + terminal_text(lost) +
+                   " is not there, or not read; nothing was recorded" +
+                   (told == findings.end() ? "" : "\n" + terminal_text(told->remedy)));
+}
+
+/// Finds the pairs that the ids name. Throws CannotDo for one that names none, or one that is not there.
 void find_accepted(const CheckedProject& checked, const std::vector<std::string>& ids, Acceptance& out) {
     std::set<std::pair<std::string, std::string>> fresh;
     for (const std::string& id : ids) {
         const Named named = named_by(checked.judgement, id);
+        for (const JudgedPair* pair : named.pairs) require_both_there(checked, *pair);
         out.pairs.insert(out.pairs.end(), named.pairs.begin(), named.pairs.end());
         if (!named.pairs.empty()) continue;
         std::optional<JudgedPair> pair = units_named(checked, id);
@@ -157,6 +170,18 @@ void declare_accept(Declare& declare, Options& options) {
 
 namespace {
 
+/// The pairs of the map that the two sides of a merge come from; none where git knows of no merge over it.
+std::vector<NewPair> pairs_before_merge(const Project& project) {
+    const std::string file = map_behind_links(project);
+    const GitRepository git(project.root);
+    const auto text = git.error().empty() ? git.ancestor_in_merge(file) : std::nullopt;
+    std::vector<NewPair> out;
+    if (!text) return out;
+    for (const MapPair& pair : read_map(file, *text).map.pairs)
+        for (const std::string& target : pair.targets) out.push_back({pair.source, target});
+    return out;
+}
+
 /// Writes the map of a merge that git could not finish with the pairs of both its sides.
 Outcome merge_map(const Options& options, Workplace& place) {
     if (options.all || !options.paths.empty())
@@ -167,8 +192,9 @@ Outcome merge_map(const Options& options, Workplace& place) {
     const FileText file = read_map_text(place.disk, project.root, project.map_path);
     if (!file.error.empty()) throw CannotDo(terminal_text(project.map_path) + ": " + file.error);
     const MapSides sides = map_sides(project.map_name, file.bytes);
-    const MergedMap merged = with_pairs_of(project.map_name, sides.ours, sides.theirs);
-    const MergedMap other = with_pairs_of(project.map_name, sides.theirs, sides.ours);
+    const std::vector<NewPair> before = pairs_before_merge(project);
+    const MergedMap merged = merged_map(project, sides.ours, sides.theirs, before);
+    const MergedMap other = merged_map(project, sides.theirs, sides.ours, before);
     const LockFile no_lock;
     const std::vector<PlacedSuppression> no_comments;
     const std::vector<BroughtIn> differs = brought_in({true, merged.map, false, no_lock, no_comments},
@@ -182,7 +208,10 @@ Outcome merge_map(const Options& options, Workplace& place) {
     std::string out = terminal_text(project.map_name) + ": the pairs of both sides are kept; of theirs came in:\n";
     for (const NewPair& pair : merged.added)
         out += "  " + terminal_text(pair.source) + " = " + terminal_text(pair.target) + "\n";
-    return {out + "Go on with: git add " + shell_word(project.map_name) + "\n", 0, false, ""};
+    if (!merged.removed.empty()) out += "and what one side had taken out stays out:\n";
+    for (const NewPair& pair : merged.removed)
+        out += "  " + terminal_text(pair.source) + " = " + terminal_text(pair.target) + "\n";
+    return {out + "Go on with: git add " + terminal_text(shell_word(map_behind_links(project))) + "\n", 0, false, ""};
 }
 
 }  // namespace

@@ -76,8 +76,8 @@ void tell_lost_texts(const CheckedProject& checked, const RecordedLock& now, Sna
                      std::vector<BroughtIn>& brought) {
     if (now.lock.version == 1 || is_upgraded(now.texts)) return;
     const LostTexts lost = lost_texts(checked.project, checked.disk(), now.lock);
-    if (lost.missing.empty() && lost.damaged.empty()) return;
     place.err << told(lost);
+    if (lost.missing.empty() && lost.damaged.empty()) return;
     read_base_texts(base);
     for (const LockedPair& pair : now.lock.pairs)
         for (const auto& [id, print] : {std::pair(&pair.source, pair.source_prints.written),

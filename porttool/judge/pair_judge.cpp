@@ -211,7 +211,7 @@ JudgedPair PairJudge::judge(const BySide<std::string>& id, int map_line, const B
     JudgedPair pair{id, {units.source.unit, units.target.unit}, static_cast<uint32_t>(std::max(1, map_line))};
     const size_t first = findings_.size();
     found_one_edit_ = false;
-    if (lock.pair == nullptr || !report_unread_file(pair, units)) examine(pair, lock.pair);
+    if (!report_unread_file(pair, units, lock.pair != nullptr)) examine(pair, lock.pair);
     const bool both_there = pair.unit.source != nullptr && pair.unit.target != nullptr;
     if (lock.under_old_ids && findings_.size() == first && both_there)
         pair.changed = pair.equivalent = true;  // accept records it under its new ids
@@ -222,7 +222,7 @@ JudgedPair PairJudge::judge(const BySide<std::string>& id, int map_line, const B
     return pair;
 }
 
-bool PairJudge::report_unread_file(const JudgedPair& pair, const BySide<Resolved>& units) {
+bool PairJudge::report_unread_file(const JudgedPair& pair, const BySide<Resolved>& units, bool is_recorded) {
     const auto reason = [&](Side side, const std::string& path_of_id) {
         const bool is_there = units[side].unit != nullptr && !units[side].elsewhere;
         return is_there ? std::string() : unread_reason(path_of_id);
@@ -230,9 +230,9 @@ bool PairJudge::report_unread_file(const JudgedPair& pair, const BySide<Resolved
     const std::string source = reason(Side::Source, pair.id.source);
     const std::string target = reason(Side::Target, target_path(facts_.map, pair.id.target));
     if (source.empty() && target.empty()) return false;
-    Finding& finding = source.empty()
-                           ? findings_.add(Rule::DeadLink, pair, {}, "the file of the port " + target)
-                           : findings_.add(Rule::SourceChanged, pair, {}, "the file of the source " + source);
+    const Rule of_source = is_recorded ? Rule::SourceChanged : Rule::DeadLink;  // that was in step with nothing
+    Finding& finding = source.empty() ? findings_.add(Rule::DeadLink, pair, {}, "the file of the port " + target)
+                                      : findings_.add(of_source, pair, {}, "the file of the source " + source);
     finding.remedy = "Make it readable; see the finding of 'unreadable' on that file";
     return true;
 }

@@ -32,7 +32,7 @@ public:
 private:
     /// A recorded unit in a file that cannot be read is not gone, nor has it moved to where a copy of it stands: it may
     /// have been changed in any way. False if none is.
-    bool report_unread_file(const JudgedPair& pair, const BySide<Resolved>& units);
+    bool report_unread_file(const JudgedPair& pair, const BySide<Resolved>& units, bool is_recorded);
     /// Why the file of an id could not be read, or "".
     std::string unread_reason(const std::string& id) const;
 

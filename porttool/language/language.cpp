@@ -20,7 +20,7 @@ constexpr std::array kLanguages = {
     LanguageTraits{.language = Language::C, .name = "c", .suffixes = ".c", .parameters_before_body = true},
     LanguageTraits{.language = Language::Cpp,
                    .name = "cpp",
-                   .suffixes = ".h .hh .hpp .hxx .h++ .cpp .cc .cxx .c++ .inl .ipp .tpp .ixx .cppm .impl",
+                   .suffixes = ".h .hh .hpp .hxx .h++ .cpp .cc .cxx .c++ .inl .ipp .tpp .tcc .txx .ixx .cppm .impl",
                    .blocks = kAfterLayout},
     LanguageTraits{.language = Language::Cuda, .name = "cuda", .suffixes = ".cu .cuh"},
     LanguageTraits{.language = Language::Hip, .name = "hip", .suffixes = ".hip.cpp .hip.h .hip"},

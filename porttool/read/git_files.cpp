@@ -232,6 +232,34 @@ std::string index_of_hook(git_repository* repository) {
 
 }  // namespace
 
+std::set<std::string> GitRepository::left_out_of(const std::string& folder_of_names) const {
+    std::set<std::string> out;
+    git_index* index = nullptr;
+    if (!error_.empty() || git_repository_index(&index, handle_->repository()) != 0) return out;
+    const Index owner(index);
+    const std::string before = folder() + folder_of_names + "/";
+    size_t i = 0;
+    if (git_index_find_prefix(&i, index, before.c_str()) != 0) return out;
+    for (; i < git_index_entrycount(index); ++i) {
+        const git_index_entry& entry = *git_index_get_byindex(index, i);
+        const std::string_view path = entry.path;
+        if (!path.starts_with(before)) break;
+        if ((entry.flags_extended & GIT_INDEX_ENTRY_SKIP_WORKTREE) != 0) out.emplace(path.substr(before.size()));
+    }
+    return out;
+}
+
+std::optional<std::string> GitRepository::ancestor_in_merge(const std::string& path) const {
+    git_index* index = nullptr;
+    if (!error_.empty() || git_repository_index(&index, handle_->repository()) != 0) return std::nullopt;
+    const Index owner(index);
+    const git_index_entry *ancestor = nullptr, *ours = nullptr, *theirs = nullptr;
+    if (git_index_conflict_get(&ancestor, &ours, &theirs, index, (folder() + path).c_str()) != 0) return std::nullopt;
+    if (ancestor == nullptr) return "";
+    const auto blob = read_git_blob(handle_->repository(), ancestor->id);
+    return blob ? std::optional(blob->bytes) : std::nullopt;
+}
+
 TrackedFiles GitRepository::tracked_files(const WantsFile& wants) const {
     TrackedFiles out;
     git_index* index = nullptr;

@@ -120,7 +120,7 @@ SourceSet read_all(const Disk& disk, const FoundFiles& found, const std::string&
         if (file.error.empty())
             file = place.root.empty() ? disk.read(place.path, kLargestSource) : disk.read(place, kLargestSource);
         // Of what a link leads to the disk has asked.
-        if (file.error.empty() && !file.by_link && untracked.contains(path)) file = {"", kUntracked};
+        if (file.error.empty() && !file.by_link && untracked.contains(path)) file = {"", untracked_text(path)};
         if (file.error.empty()) file.error = unreadable_reason(file.bytes);
         bytes += file.bytes.size();
         if (bytes > most_bytes) throw too_much(root, fmt::format("{} bytes of sources", most_bytes));

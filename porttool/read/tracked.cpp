@@ -11,6 +11,8 @@
 #include "porttool/language/language.h"
 #include "porttool/read/disk.h"
 #include "porttool/read/git_repository.h"
+#include "porttool/text/sink/shell.h"
+#include "porttool/text/sink/terminal.h"
 
 namespace porttool {
 namespace {
@@ -79,7 +81,12 @@ private:
 std::string untracked_reason(const std::string& root, const std::string& path) {
     static KnownIndexes indexes;
     if (language_of_path(path) != Language::Unknown || indexes.tracks(root, path)) return {};
-    return kUntracked;
+    return untracked_text(path);
+}
+
+std::string untracked_text(const std::string& path) {
+    return "is not tracked by git, and by its name no source, and so not read; if it is one: git add -f " +
+           terminal_text(shell_word(path));
 }
 
 }  // namespace porttool

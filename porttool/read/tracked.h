@@ -12,8 +12,8 @@ namespace porttool {
 /// of git, and where git cannot say what it tracks.
 std::string untracked_reason(const std::string& root, const std::string& path);
 
-/// The same, as the end of a sentence about a file of which it is known already.
-inline constexpr const char* kUntracked =
-    "is not tracked by git, and by its name no source; to have it read, run: git add";
+/// The same of a file that is known to be none that git tracks, and no source by its name. What an ignore rule hides is
+/// added by force alone.
+std::string untracked_text(const std::string& path);
 
 }  // namespace porttool

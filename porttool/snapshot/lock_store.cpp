@@ -9,9 +9,11 @@
 #include <set>
 #include <vector>
 
+#include "porttool/read/git_repository.h"
 #include "porttool/read/lock_upgrade.h"
 #include "porttool/read/refusals.h"
 #include "porttool/read/source_files.h"
+#include "porttool/text/sink/shell.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -128,11 +130,25 @@ void store_lock(const Project& project, const NewRecord& record, Disk& disk) {
             disk.remove(base_file(project, print));
 }
 
+namespace {
+
+/// Tells those that a sparse checkout leaves out from those that are gone.
+void ask_index(LostTexts& lost, const Project& project) {
+    const TreePath folder = base_folder(project);
+    if (lost.missing.empty() || folder.root != project.root) return;
+    lost.folder = folder.path;
+    for (const std::string& name : GitRepository(project.root).left_out_of(folder.path))
+        if (const Print print = Print::read(name); lost.missing.erase(print) > 0) lost.left_out.insert(print);
+}
+
+}  // namespace
+
 LostTexts missing_texts(const Project& project, const Disk& disk, const LockFile& lock) {
     LostTexts out{prints_of(lock), {}};
     out.missing.erase(Print());
     for (const DirectoryEntry& entry : disk.list(base_folder(project)).entries)
         out.missing.erase(Print::read(entry.name));
+    ask_index(out, project);
     return out;
 }
 
@@ -140,7 +156,7 @@ LostTexts lost_texts(const Project& project, const Disk& disk, const LockFile& l
     LostTexts out = missing_texts(project, disk, lock);
     uint64_t bytes = 0;
     for (const Print print : prints_of(lock)) {
-        if (!print.is_known() || out.missing.contains(print)) continue;
+        if (!print.is_known() || out.missing.contains(print) || out.left_out.contains(print)) continue;
         const std::string recorded = bytes > kMostSourceBytes ? "" : read_base(project, disk, print);
         bytes += recorded.size();
         if (!is_text_of_print(print, recorded)) out.damaged.insert(print);
@@ -149,8 +165,14 @@ LostTexts lost_texts(const Project& project, const Disk& disk, const LockFile& l
 }
 
 std::string told(const LostTexts& lost) {
-    if (lost.missing.empty() && lost.damaged.empty()) return {};
-    std::string out = "warning: ";
+    std::string out;
+    if (!lost.left_out.empty())
+        out = fmt::format(
+            "warning: {} texts of portmap.base/ are not here, as this is a sparse checkout; to have them, "
+            "run: git sparse-checkout add {}\n",
+            lost.left_out.size(), terminal_text(shell_word(lost.folder)));
+    if (lost.missing.empty() && lost.damaged.empty()) return out;
+    out += "warning: ";
     if (!lost.missing.empty())
         out += fmt::format("{} texts are missing in portmap.base/{}", lost.missing.size(),
                            lost.damaged.empty() ? "" : ", ");

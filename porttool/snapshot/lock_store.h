@@ -47,8 +47,10 @@ void store_lock(const Project& project, const NewRecord& record, Disk& disk);
 
 /// Texts behind a lock that cannot be used.
 struct LostTexts {
-    std::set<Print> missing;  ///< from portmap.base/
-    std::set<Print> damaged;  ///< there, but not what their names say: cut, edited, a link
+    std::set<Print> missing;        ///< from portmap.base/
+    std::set<Print> damaged;        ///< there, but not what their names say: cut, edited, a link
+    std::set<Print> left_out = {};  ///< git has them, and a sparse checkout leaves them out of the work tree
+    std::string folder = {};        ///< of the texts, as git is to be told of it
 };
 
 /// Which texts of portmap.base/ are missing. Lists the folder, and reads none.

@@ -61,9 +61,25 @@ private:
     bool usual_ = true;
 };
 
+/// True for a text whose lines end as those of Windows do, by the first of them.
+bool has_carriage_returns(const std::string& text) {
+    const size_t end = text.find('\n');
+    return end != std::string::npos && end > 0 && text[end - 1] == '\r';
+}
+
 std::string with_line_end(std::string text) {
-    if (!text.empty() && text.back() != '\n') text += '\n';
+    if (!text.empty() && text.back() != '\n') text += has_carriage_returns(text) ? "\r\n" : "\n";
     return text;
+}
+
+/// A pair as a map has it whose lines end as those of `text`.
+std::string pair_text_in(const std::string& text, const NewPair& pair) {
+    std::string out;
+    for (const char letter : pair_text(pair)) {
+        if (letter == '\n' && has_carriage_returns(text)) out += '\r';
+        out += letter;
+    }
+    return out;
 }
 
 }  // namespace
@@ -81,7 +97,7 @@ std::string map_with_pairs(const std::string& text, const MapFile& map, const st
     for (const auto& [place, pair] : added) {
         out.append(whole, at, place.first - at);
         at = place.first;
-        out += pair_text(*pair);
+        out += pair_text_in(whole, *pair);
     }
     return out.append(whole, at);
 }
@@ -98,7 +114,7 @@ std::string add_pairs(Project& project, const std::vector<NewPair>& pairs) {
     ReadMap read = read_map(project.map_name, text);
     if (!read.error.empty() || read.map.pairs.size() != project.map.pairs.size() + pairs.size()) {
         text = with_line_end(project.map_text);
-        for (const NewPair& pair : pairs) text += pair_text(pair);
+        for (const NewPair& pair : pairs) text += pair_text_in(project.map_text, pair);
         read = read_map(project.map_name, text);
     }
     if (!read.error.empty())
@@ -119,7 +135,9 @@ std::string remove_pair(Project& project, const NewPair& pair) {
     for (int line = 1; found != before.end() && line < found->line; ++line) first = text.find('\n', first) + 1;
     const bool stands_alone = found != before.end() && text.compare(first, kPairHead.size(), kPairHead) == 0;
     size_t end = std::min(text.find("\n[", first), text.size() - 1) + 1;
-    if (first > 0 && text.compare(first - 1, 1, "\n") == 0 && first > 1 && text[first - 2] == '\n') --first;
+    for (const std::string_view blank : {"\n\n", "\n\r\n"})  // the empty line before it
+        if (first >= blank.size() && text.compare(first - blank.size(), blank.size(), blank) == 0)
+            first -= blank.size() - 1;
     const std::string left = stands_alone ? text.substr(0, first) + text.substr(end) : text;
     const ReadMap read = read_map(project.map_name, left);
     if (!stands_alone || !read.error.empty() || read.map.pairs.size() + 1 != before.size())

@@ -3,6 +3,7 @@
 #include "porttool/snapshot/map_merge.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -18,6 +19,21 @@ ReadMap read_side(const std::string& name, const std::string& text) {
         throw CannotDo("one side of the merge cannot be read: " + read.error + "\nMerge " + terminal_text(name) +
                        " by hand");
     return read;
+}
+
+using PairNames = std::set<std::pair<std::string, std::string>>;
+
+PairNames names_of(const MapFile& map) {
+    PairNames out;
+    for (const MapPair& pair : map.pairs)
+        for (const std::string& target : pair.targets) out.emplace(pair.source, target);
+    return out;
+}
+
+PairNames names_of(const std::vector<NewPair>& pairs) {
+    PairNames out;
+    for (const NewPair& pair : pairs) out.emplace(pair.source, pair.target);
+    return out;
 }
 
 }  // namespace
@@ -52,16 +68,31 @@ MapSides map_sides(const std::string& name, const std::string& text) {
     return out;
 }
 
-MergedMap with_pairs_of(const std::string& name, const std::string& text, const std::string& other) {
-    MergedMap out{text, read_side(name, text).map, {}};
-    std::set<std::pair<std::string, std::string>> known;
-    for (const MapPair& pair : out.map.pairs)
-        for (const std::string& target : pair.targets) known.emplace(pair.source, target);
-    for (const MapPair& pair : read_side(name, other).map.pairs)
-        for (const std::string& target : pair.targets)
-            if (known.emplace(pair.source, target).second) out.added.push_back({pair.source, target});
-    if (out.added.empty()) return out;
-    out.text = map_with_pairs(text, out.map, out.added);
+std::string map_behind_links(const Project& project) {
+    std::error_code error;
+    const auto file = std::filesystem::weakly_canonical(project.map_path, error);
+    const std::string below =
+        file.lexically_relative(std::filesystem::weakly_canonical(project.root, error)).generic_string();
+    return below.empty() || below.starts_with("..") ? file.generic_string() : below;
+}
+
+MergedMap merged_map(const Project& project, const std::string& text, const std::string& other,
+                     const std::vector<NewPair>& before) {
+    const std::string& name = project.map_name;
+    const PairNames old = names_of(before), here = names_of(read_side(name, text).map),
+                    there = names_of(read_side(name, other).map);
+    Project merged = project;
+    use_map(merged, name, text);
+    MergedMap out;
+    for (const auto& [source, target] : here)
+        if (old.contains({source, target}) && !there.contains({source, target}))
+            out.removed.push_back({source, target});
+    for (const NewPair& pair : out.removed) remove_pair(merged, pair);
+    for (const auto& pair : there) {
+        if (here.contains(pair)) continue;
+        (old.contains(pair) ? out.removed : out.added).push_back({pair.first, pair.second});
+    }
+    out.text = out.added.empty() ? merged.map_text : map_with_pairs(merged.map_text, merged.map, out.added);
     out.map = read_side(name, out.text).map;
     return out;
 }

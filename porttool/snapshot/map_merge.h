@@ -18,14 +18,20 @@ struct MapSides {
 /// Takes the two apart. Throws CannotDo where no marks of a merge are in the text, or these are incomplete.
 MapSides map_sides(const std::string& name, const std::string& text);
 
-/// One side of a merge with the pairs that only the other has.
+/// The map that a merge gives, written into the text of one side.
 struct MergedMap {
     std::string text;
     MapFile map;
-    std::vector<NewPair> added;
+    std::vector<NewPair> added;    ///< new on the other side
+    std::vector<NewPair> removed;  ///< there before the merge, and taken out by one side
 };
 
-/// Throws CannotDo where a side cannot be read.
-MergedMap with_pairs_of(const std::string& name, const std::string& text, const std::string& other);
+/// Keeps what one side added, and leaves out what one took out of the pairs `before`, those that both sides come from.
+/// Throws CannotDo where a side cannot be read, or such a pair stands in no [[pair]] of its own.
+MergedMap merged_map(const Project& project, const std::string& text, const std::string& other,
+                     const std::vector<NewPair>& before);
+
+/// Where the map itself lies, for git: links are followed; seen from the root where it is beneath that.
+std::string map_behind_links(const Project& project);
 
 }  // namespace porttool

@@ -10,7 +10,7 @@
 namespace porttool {
 namespace {
 
-/// The lines of a unit, and its tokens.
+/// The lines of a unit, and its tokens, with the semicolon that ends a constant or a struct.
 struct Window {
     uint32_t first_byte = 0, end_byte = 0;
     uint32_t first_line = 0, lines = 0;  ///< first_line from 0
@@ -25,12 +25,17 @@ bool is_plain(const ScannedFile& file) {
            });
 }
 
+bool is_semicolon(const LexedText& lexed, size_t token) {
+    return token < lexed.tokens.size() && lexed.tokens[token].length == 1 &&
+           lexed.text[lexed.tokens[token].offset] == ';';
+}
+
 bool window_of(const ScannedFile& file, const Unit& unit, Window& out) {
     const LexedText& lexed = file.lexed;
     if (!unit.holes.empty() || unit.tokens.empty()) return false;
-    const Token &first = lexed.tokens[unit.tokens.first], &last = lexed.tokens[unit.tokens.end - 1];
-    const uint32_t after = unit.tokens.end;
-    out.tokens = unit.tokens;
+    const uint32_t after = unit.tokens.end + (is_semicolon(lexed, unit.tokens.end) ? 1 : 0);
+    const Token &first = lexed.tokens[unit.tokens.first], &last = lexed.tokens[after - 1];
+    out.tokens = {unit.tokens.first, after};
     out.first_line = first.line - 1;
     out.first_byte = lexed.line_starts[out.first_line];
     const size_t end = lexed.text.find('\n', last.offset + last.length);
@@ -63,10 +68,9 @@ const Unit* only_unit(const ScannedFile& piece, Language language) {
                        piece.lexed.comments.empty() && piece.lexed.suppressions.empty() && piece.variables.empty() &&
                        piece.pragmas.empty() && piece.units.size() == 1;
     const Unit* unit = plain ? &piece.units.front() : nullptr;
-    return unit != nullptr && unit->tokens.first == 0 && unit->tokens.end == piece.lexed.tokens.size() &&
-                   unit->holes.empty()
-               ? unit
-               : nullptr;
+    if (unit == nullptr || unit->tokens.first != 0 || !unit->holes.empty()) return nullptr;
+    const size_t end = unit->tokens.end + (is_semicolon(piece.lexed, unit->tokens.end) ? 1 : 0);
+    return end == piece.lexed.tokens.size() ? unit : nullptr;
 }
 
 bool same_range(TokenRange a, TokenRange b, uint32_t by) {

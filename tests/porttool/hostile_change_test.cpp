@@ -548,6 +548,74 @@ TEST_F(HostileChange, ATextThatAnotherBranchCameToNeedIsNotMergedAway) {
     EXPECT_NE(lost.err.find("texts are missing in portmap.base/"), std::string::npos) << lost.err;
 }
 
+/// What a sparse checkout leaves out is not gone: git has it, and says how to get it.
+TEST_F(HostileChange, TextsThatASparseCheckoutLeavesOutAreNoneThatTheChangeRemoved) {
+    git("checkout -q -b feature");
+    const auto all_of = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), "check");
+        return porttool(std::move(more));
+    };
+    for (const char* pattern : {"set src port", "set --no-cone '/*' '!/portmap.base'"}) {
+        git(std::string("sparse-checkout ") + pattern);
+        ASSERT_FALSE(fs::exists(root / "portmap.base")) << pattern;
+        for (const std::vector<std::string>& more : {std::vector<std::string>{"--format", "json"},
+                                                     {"--base", "main", "--format", "json"},
+                                                     {"--base", "main", "--trusted-map", "--format", "json"}}) {
+            const CommandRun got = all_of(more);
+            EXPECT_EQ(got.exit_code, 0) << pattern << got.err;
+            EXPECT_EQ(
+                got.err,
+                "warning: 4 texts of portmap.base/ are not here, as this is a sparse checkout; to have them, run: "
+                "git sparse-checkout add portmap.base\n");
+            EXPECT_EQ(nlohmann::json::parse(got.out)["brought_in"], nlohmann::json::array()) << pattern;
+        }
+        git("sparse-checkout disable");
+    }
+    git("sparse-checkout set src port && git sparse-checkout add portmap.base");
+    EXPECT_EQ(all_of({}).err, "") << "the command that is told";
+    git("sparse-checkout disable");
+    // One that the change removed is gone, in a sparse checkout as well.
+    fs::remove(root / "portmap.base" /
+               read_lock(read_text(root / "portmap.lock")).lock.pairs[0].source_prints.written.text());
+    commit("gone", 2);
+    git("sparse-checkout set src port");
+    const CommandRun got = all_of({"--base", "main", "--format", "json"});
+    EXPECT_NE(got.err.find("warning: 3 texts of portmap.base/ are not here"), std::string::npos) << got.err;
+    EXPECT_NE(got.err.find("warning: 1 texts are missing in portmap.base/"), std::string::npos) << got.err;
+    EXPECT_EQ(nlohmann::json::parse(got.out)["brought_in"].size(), 1u) << got.out;
+}
+
+/// A checkout may give all that it writes the ends of another system's lines, and a change may say that it does: what
+/// is compared, shown and accepted stays as it was.
+TEST_F(HostileChange, TheEndsOfLinesOfACheckoutCountForNothing) {
+    write("src/k.cu", replaced(kSource, "3.0f", "4.0f"));
+    commit("an edit", 2);
+    const std::vector<std::vector<std::string>> commands = {{"check"},
+                                                            {"check", "--base", "main~1"},
+                                                            {"check", "--base", "main~1", "--trusted-map"},
+                                                            {"check", "--staged"},
+                                                            {"explain", "src/k.cu:f"},
+                                                            {"sync", "--all"}};
+    std::vector<std::string> before;
+    for (const auto& command : commands) before.push_back(porttool(command).out);
+    EXPECT_NE(before[0].find("drift: "), std::string::npos) << before[0];
+    struct Row {
+        const char *attributes, *changed;  ///< a file that must have other ends of lines by it
+    };
+    for (const Row& row : std::vector<Row>{{"* text=auto eol=crlf", "portmap.lock"},
+                                           {"portmap.base/* text eol=crlf", "portmap.base"},
+                                           {"portmap.* text eol=crlf", "portmap.toml"},
+                                           {"src/* text eol=crlf", "src/k.cu"},
+                                           {"port/* text eol=crlf", "port/k.cpp"}}) {
+        write(".gitattributes", row.attributes + std::string("\n"));
+        git("checkout -q && rm -rf src port portmap.* && git checkout -q -- src port portmap.toml portmap.lock "
+            "portmap.base");
+        git(std::string("checkout -q && grep -rq $(printf '\\r') ") + row.changed);
+        for (size_t i = 0; i < commands.size(); ++i)
+            EXPECT_EQ(porttool(commands[i]).out, before[i]) << row.attributes << ": " << commands[i][0];
+    }
+}
+
 // A text that is cut is found by the change that cuts it, and not by whoever edits the pair a year later.
 TEST_F(HostileChange, TextsThatAChangeCutsOrRemovesAreTold) {
     git("checkout -q -b feature");
@@ -1052,6 +1120,42 @@ TEST_F(HostileChange, WhatGitDoesNotTrackIsReadOnlyWhereItsNameIsThatOfASource) 
     fs::remove_all(root / ".git");
     EXPECT_EQ(porttool({"check"}).out.find("is not tracked"), std::string::npos) << "without git nothing is tracked";
     git("init -q");
+}
+
+/// What is told of a source without a known suffix that git does not track is what helps: the command, run as it
+/// stands there, has it read.
+TEST_F(HostileChange, TheCommandForAnUntrackedSourceHasItRead) {
+    const std::string text = "float h(float x) { return x; }\n";
+    for (const std::string name : {"h.inc", "h.def", "h.cpp.in", "h.mm", "with a blank.inc"})
+        for (const bool is_ignored : {false, true})
+            for (const bool is_recorded : {false, true}) {
+                const std::string about =
+                    name + (is_ignored ? " ignored" : " new") + (is_recorded ? " recorded" : " not recorded");
+                git("checkout -qf main && rm -rf .gitignore src/h.* src/with*");
+                for (const std::string& file : {"src/" + name, std::string("port/h.cpp")}) write(file, text);
+                write("portmap.toml",
+                      replaced(read_text(root / "portmap.toml"), "\"src/*\"", "\"src/*\", \"src/*.*\"") +
+                          "\n[[pair]]\nsource = \"src/" + name + ":h\"\ntarget = \"port/h.cpp:h\"\n");
+                git("add .");
+                if (is_recorded) {
+                    EXPECT_EQ(porttool({"accept", "--all", "--force"}).exit_code, 0) << about;
+                }
+                if (is_ignored) write(".gitignore", "src/" + name + "\n");
+                EXPECT_EQ(porttool({"check"}).exit_code, is_recorded ? 0 : 1) << about << ": tracked";
+                git("rm -q --cached 'src/" + name + "'");
+                const CommandRun got = porttool({"check"});
+                EXPECT_EQ(got.exit_code, 1) << about;
+                EXPECT_EQ(got.out.find("Remove the [[pair]]"), std::string::npos) << about << got.out;
+                EXPECT_EQ(got.out.find("is not there"), std::string::npos) << about << got.out;
+                const size_t command = got.out.find("if it is one: git add");
+                ASSERT_NE(command, std::string::npos) << about << got.out;
+                const size_t begin = got.out.find("git", command) + 4;
+                git(got.out.substr(begin, got.out.find(" [", begin) - begin));
+                const CommandRun then = porttool({"check"});
+                EXPECT_EQ(then.exit_code, is_recorded ? 0 : 1) << about << then.out;
+                EXPECT_EQ(then.out.find("is not tracked"), std::string::npos) << about << then.out;
+                EXPECT_EQ(then.out.find("[unrecorded]") == std::string::npos, is_recorded) << about << then.out;
+            }
 }
 
 TEST_F(HostileChange, TheNameAtTheEndOfALinkStaysWithinItsLine) {

@@ -5,7 +5,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <random>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -300,6 +303,128 @@ TEST_F(MergedLock, NeighboursInTheMapAreMergedByOneCommand) {
         EXPECT_GT(conflicts, 0);
         const auto got = json({"check", "--strict"});
         EXPECT_EQ(got["summary"]["in_step"], 3 + kBranches) << got.dump(1);
+    }
+}
+
+/// The ids of the source that the pairs of a map name, told from its lines.
+std::set<std::string> paired_sources(const std::string& map) {
+    std::set<std::string> out;
+    std::istringstream lines(map.substr(map.find("[[pair]]")));
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("source = ")) out.insert(line.substr(10, line.find('"', 10) - 10));
+    return out;
+}
+
+std::string with_carriage_returns(const std::string& text) {
+    std::string out;
+    for (const char letter : text) out += letter == '\n' ? "\r\n" : std::string(1, letter);
+    return out;
+}
+
+/// A map that git leaves in conflict: one side takes a pair out beside which the other writes a new one. The removed
+/// pair stays out whichever side is ours, the ends of lines stay as they are, and a map behind a link is the file that
+/// git is told of.
+TEST_F(MergedLock, APairThatOneSideOfAMergeTookOutStaysOut) {
+    for (const char* name : {"a", "m", "n", "z"})
+        for (const char* file : {"src/%.cu", "port/%.cpp"})
+            write(replaced(file, "%", name), "float " + std::string(name) + "(float x) { return x; }\n");
+    ASSERT_EQ(porttool({"init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+    const std::string all = read_text(root / "portmap.toml");
+    const auto pair = [](const std::string& name) {
+        return "\n[[pair]]\nsource = \"src/" + name + ".cu:" + name + "\"\ntarget = \"port/" + name + ".cpp:" + name +
+               "\"\n";
+    };
+    const std::string head = all.substr(0, all.find("\n[[pair]]"));
+    for (const bool is_windows : {false, true})
+        for (const bool is_linked : {false, true})
+            for (const bool is_ours : {false, true})
+                for (const char* style : {"merge", "diff3"}) {
+                    const std::string about = std::string(style) + (is_windows ? " CRLF" : " LF") +
+                                              (is_linked ? " linked" : "") + (is_ours ? " ours" : " theirs");
+                    const std::string file = is_linked ? "config/map.toml" : "portmap.toml";
+                    const auto put = [&](const std::string& text) {
+                        write(file, is_windows ? with_carriage_returns(text) : text);
+                    };
+                    git("checkout -q -B main && rm -rf portmap.toml config && git config merge.conflictStyle " +
+                        std::string(style));
+                    put(head + pair("a") + pair("m") + pair("z"));
+                    if (is_linked) std::filesystem::create_symlink(file, root / "portmap.toml");
+                    commit("start " + about);
+                    git("checkout -q -B out");
+                    put(head + pair("a") + pair("z"));
+                    commit("out");
+                    git("checkout -q -B in main");
+                    put(head + pair("a") + pair("m") + pair("n") + pair("z"));
+                    commit("in");
+                    git(std::string("checkout -q -B merged ") + (is_ours ? "out" : "in"));
+                    const std::string merge = "cd '" + root.string() + "' && git merge -q --no-edit ";
+                    ASSERT_NE(std::system((merge + (is_ours ? "in" : "out") + " > /dev/null 2>&1").c_str()), 0)
+                        << about;
+                    const CommandRun got = porttool({"accept", "--merge"});
+                    ASSERT_EQ(got.exit_code, 0) << about << got.err;
+                    EXPECT_EQ(paired_sources(read_text(root / file)),
+                              (std::set<std::string>{"src/a.cu:a", "src/n.cu:n", "src/z.cu:z"}))
+                        << about << "\n"
+                        << got.out;
+                    const std::string text = read_text(root / file);
+                    EXPECT_EQ(std::count(text.begin(), text.end(), '\r'),
+                              is_windows ? std::count(text.begin(), text.end(), '\n') : 0)
+                        << about << "\n"
+                        << text;
+                    EXPECT_EQ(std::filesystem::is_symlink(root / "portmap.toml"), is_linked) << about;
+                    const size_t command = got.out.find("git add ");
+                    ASSERT_NE(command, std::string::npos) << about << got.out;
+                    git(got.out.substr(command + 4, got.out.find('\n', command) - command - 4) +
+                        " && git commit -q --no-edit");
+                }
+}
+
+TEST_F(MergedLock, PairsComeIntoAMapWithTheEndsOfItsLines) {
+    start(2);
+    write("src/b.cu", "float b(float x) { return x; }\n");
+    write("port/b.cpp", "float b(float x) { return x; }\n");
+    write("portmap.toml", with_carriage_returns(read_text(root / "portmap.toml")));
+    const std::string before = read_text(root / "portmap.toml");
+    ASSERT_EQ(porttool({"accept", "src/b.cu:b=port/b.cpp:b"}).exit_code, 0);
+    const std::string text = read_text(root / "portmap.toml");
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\r'), std::count(text.begin(), text.end(), '\n')) << text;
+    EXPECT_NE(text, before);
+    EXPECT_EQ(porttool({"check", "--strict"}).exit_code, 0);
+}
+
+/// What is not there cannot be in step.
+TEST_F(MergedLock, APairThatIsNotThereIsNotRecorded) {
+    start(3);
+    struct Row {
+        const char* what;
+        std::string source, target;  ///< their texts; empty: no such file
+        bool is_there;
+    };
+    const std::string source = read_text(root / "src/a.cu"), target = read_text(root / "port/a.cpp");
+    const std::string other = "void other() { return; }\n";
+    const std::vector<Row> rows = {{"both", replaced(source, "1.5f", "3.5f"), target, true},
+                                   {"no file of the source", "", target, false},
+                                   {"no file of the port", source, "", false},
+                                   {"neither", "", "", false},
+                                   {"no unit of the source", other, target, false},
+                                   {"no unit of the port", source, other, false},
+                                   {"a source that is no text", source + std::string(1, '\0'), target, false},
+                                   {"a port that is no text", source, target + std::string(1, '\0'), false}};
+    for (const Row& row : rows) {
+        git("checkout -qf . && git clean -qfd");
+        for (const char* file : {"src/z.cu", "port/z.cpp"}) write(file, "");  // so that the globs take something
+        for (const auto& [file, text] : {std::pair("src/a.cu", row.source), {"port/a.cpp", row.target}})
+            if (text.empty())
+                std::filesystem::remove(root / file);
+            else
+                write(file, text);
+        const std::string lock = read_text(root / "portmap.lock");
+        for (const std::string& id : {id(1), std::string("port/a.cpp:work_1"), id(1) + "=port/a.cpp:work_1"}) {
+            const CommandRun got = porttool({"accept", id, "--reason", "seen"});
+            EXPECT_EQ(got.exit_code, row.is_there ? 0 : 2) << row.what << " " << id << got.out << got.err;
+            EXPECT_EQ(got.err.find("nothing was recorded") == std::string::npos, row.is_there) << row.what << got.err;
+            EXPECT_EQ(read_text(root / "portmap.lock") == lock, !row.is_there) << row.what;
+        }
     }
 }
 

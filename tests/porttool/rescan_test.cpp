@@ -48,7 +48,13 @@ std::string told(const ScannedFile& file) {
 std::vector<TextEdit> edits_of(const ScannedFile& file, const Unit& unit) {
     const LexedText& lexed = file.lexed;
     std::vector<TextEdit> out;
-    if (unit.body.empty()) return out;
+    if (unit.body.empty()) {  // a constant, or a struct that is only declared
+        for (uint32_t i = unit.tokens.first; i < unit.tokens.end && out.empty(); ++i)
+            if (lexed.tokens[i].kind == TokenKind::Number)
+                for (const char* text : {"123456", "7;\nint more = 7", "7\n    + 8", "7 /* said */", "7; 8"})
+                    out.push_back({lexed.tokens[i].offset, lexed.tokens[i].offset + lexed.tokens[i].length, text});
+        return out;
+    }
     const Token &open = lexed.tokens[unit.body.first], &close = lexed.tokens[unit.body.end - 1];
     const size_t in = open.offset + (lexed.view(open) == "{" ? 1 : 0);
     for (const char* text :
