@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 
 #include "porttool/scan/scan.h"
@@ -49,10 +50,11 @@ std::vector<TextEdit> edits_of(const ScannedFile& file, const Unit& unit) {
     const LexedText& lexed = file.lexed;
     std::vector<TextEdit> out;
     if (unit.body.empty()) {  // a constant, or a struct that is only declared
+        constexpr std::array kTexts = {"123456", "7;\nint more = 7", "7\n    + 8", "7 /* said */", "7; 8"};
         for (uint32_t i = unit.tokens.first; i < unit.tokens.end && out.empty(); ++i)
             if (lexed.tokens[i].kind == TokenKind::Number)
-                for (const char* text : {"123456", "7;\nint more = 7", "7\n    + 8", "7 /* said */", "7; 8"})
-                    out.push_back({lexed.tokens[i].offset, lexed.tokens[i].offset + lexed.tokens[i].length, text});
+                out.push_back({lexed.tokens[i].offset, lexed.tokens[i].offset + lexed.tokens[i].length,
+                               kTexts[unit.start_line % kTexts.size()]});
         return out;
     }
     const Token &open = lexed.tokens[unit.body.first], &close = lexed.tokens[unit.body.end - 1];
