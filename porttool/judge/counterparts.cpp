@@ -17,12 +17,13 @@ namespace {
 using Files = std::vector<ScannedFile>;
 
 constexpr size_t kMostTokens = 500'000;  // of one side that are matched: about 50,000 lines
-constexpr float kMostOfPaired = 0.89f;   // a target that has its source already is a guess
+constexpr size_t kMostOfRelatives = 100'000;
+constexpr float kMostOfPaired = 0.89f;  // a target that has its source already is a guess
 
 /// Files of one side, by their numbers there in order, until there are too many tokens in them; those with more
-/// `better` first.
+/// `better` first, and of those without it `least` any.
 std::set<size_t> limited(const FilesOfSide& files, const std::vector<size_t>& numbers,
-                         const std::vector<size_t>& better) {
+                         const std::vector<size_t>& better, size_t most = kMostTokens, size_t least = 0) {
     std::vector<size_t> order(numbers.size());
     for (size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return better[a] > better[b]; });
@@ -30,7 +31,7 @@ std::set<size_t> limited(const FilesOfSide& files, const std::vector<size_t>& nu
     size_t tokens = 0;
     for (const size_t i : order) {
         tokens += files.tokens(numbers[i]);
-        if (tokens > kMostTokens && !kept.empty()) break;
+        if ((tokens > most && !kept.empty()) || better[i] < least) break;
         kept.insert(numbers[i]);
     }
     return kept;
@@ -88,6 +89,7 @@ public:
     Counterparts run() {
         take(match({pairs_, ignored()}), 1);
         if (!open_.empty()) take(match({others(), ignored()}), kMostOfPaired);
+        if (add_relatives()) take(match({pairs_, ignored(), true}), kMostOfPaired);
         return std::move(out_);
     }
 
@@ -108,6 +110,25 @@ private:
                 out.emplace_back(side_ == Side::Source ? id : "", side_ == Side::Source ? "" : id);
             }
         return out;
+    }
+
+    /// Takes in files of this side that have a word of what is still looked for: a variant of a unit that has its port
+    /// is known by what that is, `padding_pack4.comp` by `padding.comp`. False if there is nothing to look for, or
+    /// none.
+    bool add_relatives() {
+        std::vector<const UnitState*> left;
+        for (const auto& [id, unit] : open_)
+            if (unit->kind != UnitKind::Constant) left.push_back(unit);
+        if (left.empty()) return false;
+        std::set<std::string_view> known;
+        for (const ScannedFile& file : files_[side_]) known.insert(file.path);
+        const FilesOfSide& here = (*facts_.files)[side_];
+        std::vector<size_t> numbers;
+        for (size_t i = 0; i < here.size(); ++i)
+            if (!known.contains(here.path(i))) numbers.push_back(i);
+        const std::set<size_t> more = limited(here, numbers, shared_words(here, numbers, left), kMostOfRelatives, 1);
+        for (const size_t i : more) files_[side_].push_back(here.scanned(i));
+        return !more.empty();
     }
 
     /// True if the counterpart is named as its partner is, and not as the unit: `load_q8` is the port of `load_q8`, and

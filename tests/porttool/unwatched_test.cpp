@@ -109,6 +109,77 @@ TEST(Unwatched, ATargetThatHasItsSourceIsACandidateButNoneToBeSureOf) {
     EXPECT_EQ(report["verdict"], "review");
 }
 
+TEST(Unwatched, AVariantOfAShaderLooksLikeThePortOfThat) {
+    const std::string head =
+        "#version 450\n"
+        "layout(local_size_x = 64) in;\n"
+        "layout(binding = 0) buffer In { float data[]; } src;\n"
+        "layout(binding = 1) buffer Out { float data[]; } dst;\n"
+        "layout(push_constant) uniform P { int w; int h; int top; int left; int outw; int outh; int type; } p;\n"
+        "void main()\n"
+        "{\n"
+        "    int gx = int(gl_GlobalInvocationID.x);\n"
+        "    int gy = int(gl_GlobalInvocationID.y);\n"
+        "    if (gx >= p.outw || gy >= p.outh) return;\n";
+    const std::string
+        crop = "    dst.data[gy * p.outw + gx] = src.data[(gy + p.top) * p.w + gx + p.left];\n}\n",
+        scale =
+            "    float s = sqrt(float(p.w * p.h));\n    dst.data[gy * p.outw + gx] = src.data[gy * p.w + gx] * s;\n}\n",
+        pad =
+            "    int x = gx - p.left;\n"
+            "    int y = gy - p.top;\n"
+            "    float v = 0.0;\n"
+            "    if (p.type == 0 && x >= 0 && x < p.w && y >= 0 && y < p.h) v = src.data[y * p.w + x];\n"
+            "    if (p.type == 1) v = src.data[clamp(y, 0, p.h - 1) * p.w + clamp(x, 0, p.w - 1)];\n"
+            "    dst.data[gy * p.outw + gx] = v;\n"
+            "}\n",
+        reflect =
+            "    int x = abs(gx - p.left);\n"
+            "    int y = abs(gy - p.top);\n"
+            "    if (x >= p.w) x = 2 * p.w - 2 - x;\n"
+            "    if (y >= p.h) y = 2 * p.h - 2 - y;\n"
+            "    dst.data[gy * p.outw + gx] = src.data[y * p.w + x];\n"
+            "}\n";
+    const auto port = [](const std::string& name, const std::string& text) {
+        return "int " + name +
+               "::forward(const Mat& in, Mat& out) const\n{\n    for (int gy = 0; gy < outh; ++gy)\n        for (int "
+               "gx = "
+               "0; gx < outw; ++gx) {\n" +
+               text + "        }\n    return 0;\n}\n";
+    };
+    const std::string of_pad =
+        "int x = gx - left;\nint y = gy - top;\nfloat v = 0.0f;\n"
+        "if (type == 0 && x >= 0 && x < w && y >= 0 && y < h) v = in[y * w + x];\n"
+        "if (type == 1) v = in[std::clamp(y, 0, h - 1) * w + std::clamp(x, 0, w - 1)];\n"
+        "if (type == 2) {\n    x = std::abs(x);\n    y = std::abs(y);\n    if (x >= w) x = 2 * w - 2 - x;\n"
+        "    if (y >= h) y = 2 * h - 2 - y;\n    v = in[y * w + x];\n}\nout[gy * outw + gx] = v;\n";
+    MemoryDisk disk;
+    disk.files = {{"/r/src/crop.comp", head + crop},
+                  {"/r/src/scale.comp", head + scale},
+                  {"/r/src/padding.comp", head + pad},
+                  {"/r/port/crop.cpp", port("Crop", "out[gy * outw + gx] = in[(gy + top) * w + gx + left];\n")},
+                  {"/r/port/scale.cpp", port("Scale",
+                                             "float s = std::sqrt(float(w * h));\nout[gy * outw + gx] = in[gy * w "
+                                             "+ gx] * s;\n")},
+                  {"/r/port/padding.cpp", port("Padding", of_pad)}};
+    ASSERT_EQ(porttool_at_r(disk, {"init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+    ASSERT_EQ(check(disk)["summary"]["pairs"], 3);
+    const auto told_of = [&](const std::string& path, const std::string& text) {
+        disk.files["/r/" + path] = head + text;
+        const auto report = check(disk);
+        disk.files.erase("/r/" + path);
+        std::string out;
+        for (const auto& finding : report["findings"])
+            if (finding["source"].is_object() && finding["source"]["id"] == path + ":main")
+                out = finding["level"].get<std::string>() + " " + finding["rule"].get<std::string>() + " " +
+                      (finding["target"].is_object() ? finding["target"]["id"].get<std::string>() : "");
+        return out;
+    };
+    EXPECT_EQ(told_of("src/padding_reflect.comp", reflect), "warning unpaired port/padding.cpp:Padding::forward");
+    EXPECT_EQ(told_of("src/other.comp", "    dst.data[gy] = exp(src.data[gx]) + float(bitCount(gy)) / 7.5;\n}\n"),
+              "error unported ");
+}
+
 TEST(Unwatched, WhatChecksAKernelIsNoSourceOfItsPort) {
     MemoryDisk disk = started(kFresnel, kFresnelPort);
     disk.files["/r/src/check.cu"] = replaced(replaced(kFresnel, "fresnel", "fresnel_ref"), "__device__ ", "");
