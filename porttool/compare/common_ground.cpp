@@ -11,6 +11,7 @@
 #include "porttool/compare/declared_otherwise.h"
 #include "porttool/compare/hints.h"
 #include "porttool/compare/phrases.h"
+#include "porttool/compare/runtime_calls.h"
 #include "porttool/compare/side_by_side.h"
 #include "porttool/compare/side_edit.h"
 #include "porttool/normal/diff.h"
@@ -146,7 +147,42 @@ private:
     bool alike_before_ = false, gained_ = false;
 };
 
+/// The runtimes that a text calls, by what their functions begin with.
+std::set<std::string> runtimes_of(const Words& text) {
+    std::set<std::string> out;
+    for (size_t i = 0; i + 1 < text.size(); ++i) {
+        const bool launches = text[i] == "<" && text[i + 1] == "<" && i + 2 < text.size() && text[i + 2] == "<";
+        if (launches) out.emplace("cu");
+        if (text[i + 1] == "(" && is_runtime_call(text[i])) out.emplace(text[i].substr(0, 2));
+    }
+    return out;
+}
+
 }  // namespace
+
+bool only_concerns_own_runtime(const LoneTexts& texts, const Dialect& dialect) {
+    const std::set<std::string> own = runtimes_of(texts.now), others = runtimes_of(texts.other);
+    const bool is_foreign = !own.empty() && std::none_of(own.begin(), own.end(), [&](const std::string& runtime) {
+        return others.contains(runtime);
+    });
+    if (!is_foreign) return false;
+    const SideEdit edit(texts.before, texts.now, dialect);
+    if (edit.size < kMeant || touches_guarded_words(edit, texts)) return false;
+    if (pragmas_of(without_hints(texts.before)) != pragmas_of(without_hints(texts.now))) return false;
+    if (launches_of(texts.before) != launches_of(texts.now)) return false;
+    const SideEdit other(texts.other, texts.other, dialect);
+    size_t came = 0, known = 0;
+    for (const std::string& word : edit.gained) {
+        if (edit.lost.contains(word) || !is_word_token(word)) continue;
+        ++came;
+        known += other.has.contains(word) ? 1 : 0;
+    }
+    const bool any_went = std::any_of(edit.lost.begin(), edit.lost.end(), [&](const std::string& word) {
+        const bool counts = is_word_token(word) || (is_number_token(word) && word != "0" && word != "1");
+        return counts && !edit.gained.contains(word) && other.has.contains(word);
+    });
+    return came > 0 && 8 * known <= came && !any_went;
+}
 
 OffGround off_common_ground(const LoneTexts& texts, const Dialect& dialect) {
     const SideEdit edit(texts.before, texts.now, dialect);

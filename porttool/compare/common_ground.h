@@ -26,4 +26,11 @@ namespace porttool {
 enum class OffGround : uint8_t { No, Hardly, Perhaps, Surely };
 OffGround off_common_ground(const LoneTexts& texts, const Dialect& dialect);
 
+/// True if the edited side drives a runtime that the other does not call, and the other has no name or number that went
+/// for good, and hardly any name that came: of a dozen words or more that are no print, check or timing.
+///
+///     - err = clEnqueueNDRangeKernel(q, k, 1, NULL, all, some, 0, 0, 0)            port; the source launches in CUDA
+///     + err = clEnqueueNDRangeKernel(q, k, 1, NULL, all, some, 0, 0, &events[2])
+bool only_concerns_own_runtime(const LoneTexts& texts, const Dialect& dialect);
+
 }  // namespace porttool

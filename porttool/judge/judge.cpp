@@ -72,8 +72,9 @@ public:
           renamed_(renamed_names()),
           shared_ports_(facts, renamed_, pairs_),
           findings_(facts.map),
-          pair_judge_(facts, renamed_, findings_),
-          macro_edits_(facts, findings_),
+          shared_files_(facts),
+          pair_judge_(facts, renamed_, shared_files_, findings_),
+          macro_edits_(facts, shared_files_, findings_),
           new_names_(facts, findings_),
           unlike_names_(facts, findings_),
           verdicts_(facts, findings_) {
@@ -85,7 +86,7 @@ public:
         out_.reference = facts_.map.reference;
         out_.pairs.reserve(pairs_.size());
         for (const MappedPair& pair : pairs_) judge_pair(pair);
-        find_unwatched(facts_, findings_, verdicts_, out_);
+        find_unwatched(facts_, shared_files_, findings_, verdicts_, out_);
         macro_edits_.tell_how_many();
         new_names_.tell_how_many();
         verdicts_.report_idle();
@@ -266,6 +267,7 @@ private:
     BySide<RenamedNames> renamed_;
     SharedPorts shared_ports_;
     FindingList findings_;
+    SharedFiles shared_files_;
     PairJudge pair_judge_;
     MacroEdits macro_edits_;
     NewNames new_names_;

@@ -21,8 +21,9 @@ namespace porttool {
 /// changed tells of it.
 class MacroEdits {
 public:
-    /// Both must outlive it.
-    MacroEdits(const Case& facts, FindingList& findings) : facts_(facts), findings_(findings), shared_files_(facts) {}
+    /// All must outlive it.
+    MacroEdits(const Case& facts, SharedFiles& shared_files, FindingList& findings)
+        : facts_(facts), findings_(findings), shared_files_(shared_files) {}
 
     /// Adds the finding of a pair, if there is one. `line`: the pair's in the lock, or nullptr. One that does not say
     /// what macros made of the texts then is older than this question.
@@ -53,7 +54,7 @@ private:
 
     const Case& facts_;
     FindingList& findings_;
-    SharedFiles shared_files_;
+    SharedFiles& shared_files_;
     BySide<std::optional<WordMacros>> macros_;
     /// Constants and structs by their files, and the units that pairs watch; filled when first asked.
     BySide<std::optional<std::multimap<std::string_view, const UnitState*>>> declaring_;

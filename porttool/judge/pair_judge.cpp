@@ -25,6 +25,7 @@
 #include "porttool/compare/runtime_calls.h"
 #include "porttool/compare/runtime_upkeep.h"
 #include "porttool/compare/runtime_versions.h"
+#include "porttool/compare/same_names.h"
 #include "porttool/compare/settled_edits.h"
 #include "porttool/compare/statement_edit.h"
 #include "porttool/compare/switch_arms.h"
@@ -40,7 +41,8 @@ namespace {
 
 ChangeKind kind_of(Change change) { return change == Change::Constant ? ChangeKind::Constant : ChangeKind::Semantic; }
 
-constexpr size_t kNoSlip = 12;  ///< words of an edit that nobody makes by mistake
+constexpr size_t kMostChosen = 24;  ///< differences, of which choices in another manner are all there is
+constexpr size_t kNoSlip = 12;      ///< words of an edit that nobody makes by mistake
 
 Rule changed_rule(Side side) { return side == Side::Source ? Rule::SourceChanged : Rule::TargetChanged; }
 
@@ -195,14 +197,15 @@ bool are_one_without_switches(const SwitchlessTexts& said, const Dialect& dialec
 
 }  // namespace
 
-PairJudge::PairJudge(const Case& facts, const BySide<RenamedNames>& renamed, FindingList& findings)
+PairJudge::PairJudge(const Case& facts, const BySide<RenamedNames>& renamed, SharedFiles& shared_files,
+                     FindingList& findings)
     : facts_(facts),
       renamed_(renamed),
       findings_(findings),
       dialect_(dialect_of_edits(facts.map)),
       own_names_(facts),
       swept_names_(facts),
-      shared_files_(facts) {
+      shared_files_(shared_files) {
     for (const SkippedFile& file : facts.skipped) unread_.emplace(file.file, file.reason);
 }
 
@@ -505,6 +508,9 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
     if (only_tends_foreign_runtime(texts.before, texts.now, texts.other))
         return weaken(pair, finding, Level::Note,
                       "it only keeps house with a runtime that " + there_is + " does not call");
+    if (is_own_matter && only_concerns_own_runtime(texts, dialect_))
+        return weaken(pair, finding, Level::Note,
+                      "it only changes how it drives a runtime that the source does not call");
     if (only_adds_labels_of_other(texts.before, texts.now, texts.other))
         return weaken(pair, finding, Level::Note, there_is + " has the label in that arm already");
     if (const auto arms = arms_of_other(texts, dialect_); arms != ArmsOfOther::None) {
@@ -598,7 +604,7 @@ void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& be
     else if (is_declared_alike &&
              (differ_in_rounding(texts, dialect_, languages) || differ_in_rounding(learned, dialect_, languages)))
         weigh(Level::Note, "one side computes in several steps what the other computes in one");
-    else if (is_declared_alike &&
+    else if (is_declared_alike && finding.details.size() <= kMostChosen &&
              (choose_alike(texts, dialect_, languages) || choose_alike(learned, dialect_, languages)))
         weigh(Level::Note, "one side chooses or computes in another way what the other does");
     else if (is_declared_alike && retype_alike(texts))
@@ -615,6 +621,8 @@ void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& be
     else if (is_declared_alike && (edits_leave_no_difference(texts, dialect_, languages) ||
                                    edits_leave_no_difference(learned, dialect_, languages)))
         weigh(Level::Note, "what came is the same, and what each had in its own words is gone");
+    else if (bring_the_same_names(texts))
+        weigh(Level::Note, "both bring the same names, each in the way of its runtime");
     else if (drives_device(then.source) && drives_device(then.target) &&
              words_edited(then.source, now.source) >= kNoSlip && words_edited(then.target, now.target) >= kNoSlip)
         weigh(Level::Warning, "both allocate, copy or launch, each in its own way");

@@ -20,8 +20,8 @@ namespace porttool {
 /// Finds what there is to find on one pair after another.
 class PairJudge {
 public:
-    /// Both must outlive it.
-    PairJudge(const Case& facts, const BySide<RenamedNames>& renamed, FindingList& findings);
+    /// All must outlive it.
+    PairJudge(const Case& facts, const BySide<RenamedNames>& renamed, SharedFiles& shared_files, FindingList& findings);
 
     /// Judges the pair of the map whose ids lead to `units` and to that line of the lock; adds its findings.
     JudgedPair judge(const BySide<std::string>& id, int map_line, const BySide<Resolved>& units, const FoundLock& lock);
@@ -64,7 +64,7 @@ private:
     bool found_one_edit_ = false;
     mutable OwnNames own_names_;      ///< what was asked of it is kept
     mutable SweptNames swept_names_;  ///< the same
-    SharedFiles shared_files_;
+    SharedFiles& shared_files_;
     std::map<std::string, std::string> unread_;  ///< files, and why
 };
 

@@ -43,7 +43,9 @@ EditOfParts SharedPorts::edit_of(const MappedPair& pair) {
 SharedPorts::Worth SharedPorts::answer_of(const MappedPair& pair) {
     if (!is_original_edited(pair)) return Worth::Tell;
     FindingList said(facts_.map);
-    const JudgedPair judged = PairJudge(facts_, renamed_, said).judge(pair.id, pair.map_line, pair.units, pair.lock);
+    SharedFiles files(facts_);
+    const JudgedPair judged =
+        PairJudge(facts_, renamed_, files, said).judge(pair.id, pair.map_line, pair.units, pair.lock);
     const EditOfParts edit = edit_of(pair);
     const bool is_of_others = edit.kind == EditOfParts::OfOthers ||
                               std::any_of(edit.owners.begin(), edit.owners.end(), [&](const MappedPair* one) {

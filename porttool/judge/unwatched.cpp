@@ -13,7 +13,6 @@
 #include "porttool/judge/counterparts.h"
 #include "porttool/judge/new_users.h"
 #include "porttool/judge/rules.h"
-#include "porttool/judge/shared_files.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
@@ -36,15 +35,15 @@ bool is_edited(const LockedUnit& line, const UnitState& unit) {
 /// A side that is the contract, held against one port.
 class UnwatchedSide {
 public:
-    UnwatchedSide(const Case& facts, const TargetSets& sets, Side side, std::string set, FindingList& findings,
-                  Verdicts& verdicts)
+    UnwatchedSide(const Case& facts, const TargetSets& sets, Side side, std::string set, SharedFiles& shared_files,
+                  FindingList& findings, Verdicts& verdicts)
         : facts_(facts),
           sets_(sets),
           side_(side),
           set_(std::move(set)),
           findings_(findings),
           verdicts_(verdicts),
-          shared_files_(facts) {}
+          shared_files_(shared_files) {}
 
     /// Adds to `lone`, and to `changed` those that are new or edited.
     void run(Judgement& out, std::map<const UnitState*, Unwatched>& units) {
@@ -211,7 +210,7 @@ private:
     FindingList& findings_;
     Verdicts& verdicts_;
     std::multimap<const UnitState*, const JudgedPair*> pairs_of_;
-    SharedFiles shared_files_;
+    SharedFiles& shared_files_;
     std::map<std::string, std::string> users_of_;   ///< by file: that of the other side which includes it, or ""
     std::vector<const UnitState*> units_;           ///< that no pair leads to
     std::map<const UnitState*, std::string> told_;  ///< new ones whose lack is told with others, and how
@@ -219,14 +218,15 @@ private:
 
 }  // namespace
 
-void find_unwatched(const Case& facts, FindingList& findings, Verdicts& verdicts, Judgement& out) {
+void find_unwatched(const Case& facts, SharedFiles& shared_files, FindingList& findings, Verdicts& verdicts,
+                    Judgement& out) {
     const TargetSets sets(facts.map);
     std::map<const UnitState*, Unwatched> units;  // each once, whatever ports lack it
     for (const Side side : kBothSides) {
         if (!is_contract(facts.map.reference, side)) continue;
         for (const auto& [id, unit] : facts.units(side)) out.summary.units += unit.kind != UnitKind::File ? 1 : 0;
         for (const std::string& set : sets.names())
-            UnwatchedSide(facts, sets, side, set, findings, verdicts).run(out, units);
+            UnwatchedSide(facts, sets, side, set, shared_files, findings, verdicts).run(out, units);
     }
     out.summary.unported = units.size();
     for (const auto& [unit, counted] : units) {

@@ -658,6 +658,31 @@ TEST(QuietGate, AKernelOfAFolderWithHardlyAnyPort) {
     EXPECT_EQ(after(16), Loud{"unported s/new.cu:fresh"}) << "so few tell nothing";
 }
 
+TEST(QuietGate, HowThePortDrivesARuntimeOfItsOwn) {
+    const std::string
+        source =
+            "void f(float* y, int n, int rows) {\n  float* d = nullptr;\n  cudaMalloc(&d, n * rows);\n"
+            "  scale<<<n / 64, 64>>>(d, n);\n  y[n] = rows * 0.5f;\n}\n",
+        port =
+            "void f(float* y, int n, int rows) {\n  err = clEnqueueWriteBuffer(q, d, 1, 0, n * rows, y, 0, "
+            "0, 0);\n  err = clEnqueueNDRangeKernel(q, k_scale, 1, 0, all, some, 0, 0, 0);\n"
+            "  y[n] = rows * 0.5f;\n}\n";
+    const auto after = [&](const std::string& now) {
+        return loud({{"s/k.cu", source}, {"t/k.cpp", port}}, {{"t/k.cpp", now}}, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const std::string events =
+        replaced(replaced(replaced(port, "y, 0, 0, 0);", "y, 0, 0, &write_event);"), "some, 0, 0, 0);",
+                          "some, 0, 0, &kernel_event);\n  h2d_time += probe(write_event, q);\n"
+                          "  kernel_time += probe(kernel_event, q);"),
+                 "  err = clEnqueueWrite", "  cl_event write_event, kernel_event;\n  err = clEnqueueWrite");
+    const Loud told = {"target-changed s/k.cu:f"};
+    EXPECT_EQ(after(events), Loud{});
+    EXPECT_EQ(after(replaced(events, "rows * 0.5f", "rows * 0.7f")), told) << "a number of both";
+    EXPECT_EQ(after(replaced(events, "n * rows, y", "n * wide, y")), told) << "a name of both";
+    EXPECT_EQ(after(replaced(events, "y[n] = rows", "y[0] = rows")), told);
+    EXPECT_EQ(after(replaced(port, "some, 0, 0, 0)", "some, 0, 0, 1)")), told) << "one word";
+}
+
 TEST(QuietGate, ANewUnitInAFileThatThePortIncludes) {
     const std::string text = "int f(int n, int k) { return n > 8 ? k : n + 3; }\n",
                       fresh = "float reference(const float* y, int n) { return y[n] * weights[n] - offset(y); }\n";

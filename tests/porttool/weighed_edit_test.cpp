@@ -490,6 +490,39 @@ TEST(WeighedEdit, BranchesForTheCompilerThatOneSideHas) {
                 {"one that nothing else asks for", was_with, now_other, told}});
 }
 
+TEST(WeighedEdit, TheSameNamesInTheWaysOfTwoRuntimes) {
+    const BySide<std::string> was = {
+        "void f(float* out, const float* in, const float* old, int n, int rows) {\n  float *d_in, *d_out, *d_old;\n"
+        "  cudaMalloc(&d_in, n * 4);\n  shade_1<<<n / 64, 64>>>(d_in, d_out, n);\n  cudaDeviceSynchronize();\n}\n",
+        "void f(float* out, const float* in, const float* old, int n, int rows) {\n  sycl::queue q;\n"
+        "  float* d_in = sycl::malloc_device<float>(n, q);\n"
+        "  q.parallel_for(sycl::nd_range<1>(n / 64 * 64, 64), [=](sycl::nd_item<1> item) { shade_1(item, d_in, d_out, "
+        "n); "
+        "});\n  q.wait();\n}\n"};
+    const auto row = [&](const std::string& what, const std::string& source, const std::string& target,
+                         const Rules& rules) {
+        return Weighed{
+            what,
+            was,
+            {replaced(was.source, "  cudaDeviceSynchronize();\n}", "  cudaDeviceSynchronize();\n" + source + "}"),
+             replaced(was.target, "  q.wait();\n}", "  q.wait();\n" + target + "}")},
+            rules};
+    };
+    const std::string here =
+                          "  cudaMemset(d_out, 0, n * rows);\n  shade_2<<<n / 32, 32>>>(d_out, d_old, rows);\n"
+                          "  cudaDeviceSynchronize();\n",
+                      there =
+                          "  q.memset(d_out, 0, n * rows);\n  q.parallel_for(sycl::nd_range<1>(n / 32 * 32, 32), "
+                          "[=](sycl::nd_item<1> item) { shade_2(item, d_out, d_old, rows); });\n  q.wait();\n";
+    const Rules told = {"port-differs"};
+    expect_all({row("a launch", here, there, {}),
+                row("arguments exchanged", here, replaced(there, "d_out, d_old", "d_old, d_out"), told),
+                row("another argument", here, replaced(there, "d_old, rows", "d_in, rows"), told),
+                row("one more", here, replaced(there, "d_old, rows", "d_old, n, rows"), told),
+                row("another number", here, replaced(there, ", 32)", ", 16)"), told),
+                row("another function", here, replaced(there, "shade_2", "shade_1"), told)});
+}
+
 TEST(WeighedEdit, WhatIsPrintedOrTimed) {
     const BySide<std::string> same = {"void f(float* p, float d) { p[0] = d * 2; p[1] = d; }",
                                       "void f(float* p, float d) { p[0] = d * 2; p[1] = d; }"};
