@@ -17,7 +17,7 @@ namespace {
 using Files = std::vector<ScannedFile>;
 
 constexpr size_t kMostTokens = 500'000;  // of one side that are matched: about 50,000 lines
-constexpr size_t kMostOfRelatives = 100'000;
+constexpr size_t kMostOfRelatives = 250'000;
 constexpr float kMostOfPaired = 0.89f;  // a target that has its source already is a guess
 
 /// Files of one side, by their numbers there in order, until there are too many tokens in them; those with more
@@ -37,24 +37,43 @@ std::set<size_t> limited(const FilesOfSide& files, const std::vector<size_t>& nu
     return kept;
 }
 
-/// How many of the names that are looked for share a word with names of a file, or with its own.
-std::vector<size_t> shared_words(const FilesOfSide& files, const std::vector<size_t>& numbers,
-                                 const std::vector<const UnitState*>& fresh) {
+/// The words of names that are looked for which names of a file have, or its own.
+std::vector<std::set<std::string>> shared_words(const FilesOfSide& files, const std::vector<size_t>& numbers,
+                                                const std::vector<const UnitState*>& fresh) {
     std::unordered_set<std::string> wanted;
     for (const UnitState* unit : fresh) {
         for (std::string& word : split_words(unit->name)) wanted.insert(std::move(word));
         for (std::string& word : split_words(file_stem(unit->file))) wanted.insert(std::move(word));
     }
-    std::vector<size_t> out;
+    std::vector<std::set<std::string>> out;
     for (const size_t file : numbers) {
-        std::set<std::string> found;
+        std::set<std::string>& found = out.emplace_back();
         const auto look = [&](std::string_view name) {
             for (const std::string& word : split_words(name))
                 if (wanted.contains(word)) found.insert(word);
         };
         look(file_stem(files.path(file)));
         for (const std::string_view name : files.unit_names(file)) look(name);
-        out.push_back(found.size());
+    }
+    return out;
+}
+
+std::vector<size_t> how_many(const std::vector<std::set<std::string>>& words) {
+    std::vector<size_t> out;
+    for (const std::set<std::string>& of_file : words) out.push_back(of_file.size());
+    return out;
+}
+
+/// The same where a word counts the more the fewer files have it: every shader has `main`.
+std::vector<size_t> how_rare(const std::vector<std::set<std::string>>& words) {
+    constexpr size_t kOfOne = 1'000'000;
+    std::unordered_map<std::string_view, size_t> files;
+    for (const std::set<std::string>& of_file : words)
+        for (const std::string& word : of_file) ++files[word];
+    std::vector<size_t> out;
+    for (const std::set<std::string>& of_file : words) {
+        size_t& sum = out.emplace_back();
+        for (const std::string& word : of_file) sum += kOfOne / files[word];
     }
     return out;
 }
@@ -76,7 +95,7 @@ public:
         std::vector<size_t> numbers;
         for (size_t i = 0; i < there.size(); ++i)
             if (!one_port || sets.of_path(there.path(i)) == set) numbers.push_back(i);
-        for (const size_t i : limited(there, numbers, shared_words(there, numbers, fresh)))
+        for (const size_t i : limited(there, numbers, how_many(shared_words(there, numbers, fresh))))
             files_[other(side)].push_back(there.scanned(i));
         for (const JudgedPair& pair : pairs) {
             if (pair.unit.source == nullptr || pair.unit.target == nullptr) continue;
@@ -126,7 +145,8 @@ private:
         std::vector<size_t> numbers;
         for (size_t i = 0; i < here.size(); ++i)
             if (!known.contains(here.path(i))) numbers.push_back(i);
-        const std::set<size_t> more = limited(here, numbers, shared_words(here, numbers, left), kMostOfRelatives, 1);
+        const std::set<size_t> more =
+            limited(here, numbers, how_rare(shared_words(here, numbers, left)), kMostOfRelatives, 1);
         for (const size_t i : more) files_[side_].push_back(here.scanned(i));
         return !more.empty();
     }
