@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "porttool/scan/lexer.h"
 #include "porttool/scan/scan.h"
 #include "porttool/sync/rewrite.h"
 
@@ -191,10 +192,64 @@ private:
     const uint32_t tokens_, bytes_, lines_;
 };
 
+/// True for two texts that read the same but for what their numbers are.
+bool differ_in_numbers_alone(const LexedText& before, const LexedText& now) {
+    const auto is_same = [&](const Token& a, const Token& b) {
+        return a.kind == b.kind && a.flags == b.flags && a.line == b.line &&
+               (a.kind == TokenKind::Number || before.view(a) == now.view(b));
+    };
+    return before.comments.empty() && now.comments.empty() && before.directives.size() == now.directives.size() &&
+           before.line_starts.size() == now.line_starts.size() &&
+           std::equal(before.tokens.begin(), before.tokens.end(), now.tokens.begin(), now.tokens.end(), is_same);
+}
+
+/// The same for a unit in one line, a `#define` or what shares that with others, of which the edits change numbers
+/// alone: nothing reads a number otherwise than another, but for the conditions of `#if`.
+std::optional<RescannedLines> renumber(LexedText& lexed, const Unit& unit, const std::vector<TextEdit>& edits) {
+    if (unit.tokens.empty()) return std::nullopt;
+    const uint32_t line = lexed.tokens[unit.tokens.first].line;
+    if (lexed.tokens[unit.tokens.end - 1].line != line || line >= lexed.line_starts.size()) return std::nullopt;
+    const uint32_t first = lexed.line_starts[line - 1], end = lexed.line_starts[line];
+    const auto from = std::lower_bound(lexed.tokens.begin(), lexed.tokens.end(), line,
+                                       [](const Token& token, uint32_t at) { return token.line < at; });
+    const auto to = std::upper_bound(from, lexed.tokens.end(), line,
+                                     [](uint32_t at, const Token& token) { return at < token.line; });
+    std::vector<TextEdit> here = edits;
+    for (TextEdit& edit : here) {
+        if (edit.first < first || edit.end >= end) return std::nullopt;
+        edit.first -= first;
+        edit.end -= first;
+    }
+    const std::string old = lexed.text.substr(first, end - first), fresh = with_edits(old, here);
+    const LexedText before = lex(old), now = lex(fresh);
+    if (before.text != old || now.text != fresh) return std::nullopt;
+    const auto stands_here = [&](const Token& alone, const Token& token) {
+        return alone.kind == token.kind && alone.flags == token.flags && alone.length == token.length &&
+               alone.offset + first == token.offset;
+    };
+    const bool is_define = before.directives.empty() ||
+                           (before.directives.size() == 1 && before.directives[0].kind == DirectiveKind::Define);
+    if (!is_define || !differ_in_numbers_alone(before, now) ||
+        !std::equal(before.tokens.begin(), before.tokens.end(), from, to, stands_here))
+        return std::nullopt;
+    const auto moved = static_cast<uint32_t>(now.text.size() - before.text.size());  // may wrap around, and back
+    auto token = from;
+    for (const Token& one : now.tokens) {
+        token->offset = one.offset + first;
+        token->length = one.length;
+        ++token;
+    }
+    for (; moved != 0 && token != lexed.tokens.end(); ++token) token->offset += moved;
+    for (size_t i = line; moved != 0 && i < lexed.line_starts.size(); ++i) lexed.line_starts[i] += moved;
+    lexed.text.replace(first, end - first, now.text);
+    return RescannedLines{first, end, now.text.size()};
+}
+
 }  // namespace
 
 std::optional<RescannedLines> rescan_unit(ScannedFile& file, size_t unit_place, const std::vector<TextEdit>& edits) {
     Unit* const unit = &file.units.at(unit_place);
+    if (const auto lines = renumber(file.lexed, *unit, edits)) return lines;
     Window window;
     if (!is_plain(file) || !window_of(file, *unit, window)) return std::nullopt;
     const std::string_view old =

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -102,9 +103,54 @@ TEST(RescanUnit, UnitsThatShareALineOrAreReadOtherwiseAloneAreLeftToTheWhole) {
         const std::string before = told(file);
         const size_t at = file.lexed.text.find("1.0");
         ASSERT_EQ(file.units.front().name, "f");
-        EXPECT_FALSE(rescan_unit(file, 0, {{at, at + 3, "3.0"}}).has_value()) << text;
+        EXPECT_FALSE(rescan_unit(file, 0, {{at, at + 3, "h(3.0)"}}).has_value()) << text;
         EXPECT_EQ(told(file), before);
     }
+}
+
+/// Numbers that change within a line leave all as it is read, whatever stands around; anything else than numbers, and
+/// the conditions of the preprocessor, do not.
+TEST(RescanUnit, NumbersInOneLineAreChangedWhereverTheyStand) {
+    struct Row {
+        const char *text, *number, *now;
+        bool is_done;
+    };
+    const std::string around = "int first = 3;\n",
+                      behind = "\nfloat last(float x) { return x; } // said\n#if 1\n#endif\n";
+    for (const Row& row : std::vector<Row>{{"#define N (1.0 + 2)", "1.0", "12345.5f", true},
+                                           {"#define N 1.0", "1.0", "2", true},
+                                           {"#define F(x) ((x) * 1.0)", "1.0", "0x10", true},
+                                           {"#if A\n#define N 1.0\n#else\n#define N 2\n#endif", "1.0", "3.0", true},
+                                           {"const float k = 1.0;", "1.0", "30", true},
+                                           {"float f() { return 1.0; } float g() { return 2.0; }", "1.0", "3.25", true},
+                                           {"#define N (1.0 + 2)", "1.0", "-1.0", false},
+                                           {"#define N 1.0", "1.0", "x", false},
+                                           {"#define N 1.0", "1.0", "1 2", false},
+                                           {"#define N 1.0", "1.0", "1 \\\n", false},
+                                           {"#define N 1.0", "1.0", "1 // said", false},
+                                           {"#define N 1.0 // said", "1.0", "2.0", false},
+                                           {"#define N 1.0 + \\\n    2", "1.0", "2.0", false},
+                                           {"#define N \"1.0\"", "1.0", "2.0", false},
+                                           {"#define N \"1.0\"", "1.0", "\"", false}}) {
+        const std::string text = around + row.text + behind;
+        ScannedFile file = scan_text("a.cu", text);
+        const size_t at = text.find(row.number);
+        const auto unit = std::find_if(file.units.begin(), file.units.end(), [&](const Unit& one) {
+            const LexedText& lexed = file.lexed;
+            return lexed.tokens[one.tokens.first].offset <= at && at < lexed.tokens[one.tokens.end - 1].offset + 8u;
+        });
+        ASSERT_NE(unit, file.units.end()) << row.text;
+        const TextEdit edit{at, at + 3, row.now};
+        const std::string before = told(file);
+        EXPECT_EQ(rescan_unit(file, static_cast<size_t>(unit - file.units.begin()), {edit}).has_value(), row.is_done)
+            << row.text << " " << row.now;
+        EXPECT_EQ(told(file), row.is_done ? told(scan_text("a.cu", with_edits(text, {edit}))) : before) << row.text;
+    }
+    // A condition decides what is read.
+    const std::string text = "#if 1\nint a = 3;\n#endif\nint b = 4;\n";
+    ScannedFile file = scan_text("a.cu", text);
+    for (size_t unit = 0; unit < file.units.size(); ++unit)
+        EXPECT_FALSE(rescan_unit(file, unit, {{4, 5, "0"}}).has_value());
 }
 
 TEST(UnifiedDiff, OfALongTextIsThatOfItsPart) {
