@@ -9,6 +9,7 @@
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/sync/elsewhere_changes.h"
+#include "porttool/sync/launch_manner.h"
 #include "porttool/sync/operands.h"
 #include "porttool/sync/renamings.h"
 #include "porttool/sync/word_changes.h"
@@ -86,6 +87,7 @@ private:
         }
         if (const CarriedWords whole = carry_new(now(is).first, now(is).end);
             says(target(there).first, target(there).end, whole.words)) {
+            if (words_.respells(hunks)) return words_.change_words(hunks, was, is, there);
             ++out_.already;
             return;
         }
@@ -101,11 +103,16 @@ private:
         words_.change_words(hunks, was, is, there);
     }
 
-    /// True for a launch that says how many threads it is for with `dim3 ( n )` or with `n`, as it did not before, of
-    /// which the port says nothing.
+    /// True for a launch that is written in another form, or says how many threads it is for with `dim3 ( n )` or with
+    /// `n`, as it did not before, of which the port says nothing.
     bool only_names_extents(size_t was, size_t is, size_t there) const {
         const std::vector<std::string>& words = texts_.before.words;
         const Clause &old = before(was), &clause = now(is);
+        const auto launch_of = [](const AlignedText& text, const Clause& one) {
+            return launch_in_one_form(text.words, one.first, one.end);
+        };
+        if (const auto launch = launch_of(texts_.before, old); launch && launch == launch_of(texts_.now, clause))
+            if (there == kNothing || !launch_of(texts_.target, target(there))) return true;
         const auto says_extent = [](const std::vector<std::string>& text, const Clause& one) {
             return std::find(text.begin() + static_cast<std::ptrdiff_t>(one.first),
                              text.begin() + static_cast<std::ptrdiff_t>(one.end),

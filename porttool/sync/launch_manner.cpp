@@ -92,4 +92,32 @@ std::optional<LaunchParts> parts_of_launch(const std::vector<std::string>& words
     return out;
 }
 
+std::optional<std::vector<std::string>> launch_in_one_form(const std::vector<std::string>& words, size_t first,
+                                                           size_t end) {
+    const std::optional<LaunchParts> launch = parts_of_launch(words, first, end);
+    if (!launch) return std::nullopt;
+    std::vector<std::string> out;
+    const auto put = [&](LaunchParts::Run run) {
+        out.insert(out.end(), words.begin() + static_cast<std::ptrdiff_t>(run.first),
+                   words.begin() + static_cast<std::ptrdiff_t>(run.end));
+        out.emplace_back(";");
+    };
+    put(launch->kernel);
+    size_t count = launch->extents.size();
+    constexpr size_t kFewest = 2;
+    const auto is_zero = [&](LaunchParts::Run run) { return run.end == run.first + 1 && words[run.first] == "0"; };
+    while (count > kFewest && is_zero(launch->extents[count - 1])) --count;
+    for (size_t i = 0; i < count; ++i) {
+        LaunchParts::Run extent = launch->extents[i];
+        const bool is_wrapped = extent.end > extent.first + 3 && words[extent.first] == "dim3" &&
+                                words[extent.first + 1] == "(" &&
+                                closing_bracket(words, extent.first + 1, extent.end) == extent.end - 1;
+        if (is_wrapped && parted_by_commas(words, extent.first + 2, extent.end - 1).size() == 1)
+            extent = {extent.first + 2, extent.end - 1};
+        put(extent);
+    }
+    put(launch->arguments);
+    return out;
+}
+
 }  // namespace porttool

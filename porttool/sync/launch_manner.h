@@ -40,4 +40,9 @@ struct LaunchParts {
 /// Nothing for another statement.
 std::optional<LaunchParts> parts_of_launch(const std::vector<std::string>& words, size_t first, size_t end);
 
+/// A statement that starts a kernel as words that are the same in whatever form it is written: without `dim3` around a
+/// number, and without the zeros that stand for nothing. Nothing for another statement.
+std::optional<std::vector<std::string>> launch_in_one_form(const std::vector<std::string>& words, size_t first,
+                                                           size_t end);
+
 }  // namespace porttool

@@ -93,6 +93,10 @@ public:
         return is_theirs(was) && is_theirs(is) && (known_.are_of_one_language() || known_.is_from_elsewhere(is));
     }
     bool is_on_host() const { return around_.on_host; }
+    /// True for a word that the target's file has, or may have from where the source's has it.
+    bool knows_there(const std::string& word) const {
+        return known_.in_file(word) || (!lone_.contains(word) && known_.anywhere(word));
+    }
     /// How the port says that it waits for its device.
     const DeviceWait& wait_there() const { return around_.wait; }
     bool lacks_references() const { return known_.lacks_casts(); }

@@ -26,6 +26,7 @@ public:
         for (size_t c = 0; c < texts_.before.clauses.size(); ++c)
             if (texts_.edit.clause_of[c] == kNothing && !added_.held.contains(c)) remove(c);
         keep_blocks_around_own();
+        keep_blocks_from_emptying();
         leave_lost();
         drop_blocks_around_nothing();
         drop_open_blocks();
@@ -113,6 +114,35 @@ private:
                       "` with all within it; the port has statements of its own there",
                   place_now(c), target(there).first);
         }
+    }
+
+    /// A block of the port's own, as a launch around a kernel's call, does not stay without all that it had: it would
+    /// have to go as well.
+    void keep_blocks_from_emptying() {
+        const auto goes = [&](size_t c) {
+            return std::find(out_.removed.begin(), out_.removed.end(), c) != out_.removed.end();
+        };
+        for (size_t c = 1; c < texts_.target.clauses.size(); ++c) {
+            const size_t end = target(c).opens ? target(c).partner : Clause::kNone;
+            if (end == Clause::kNone || end == c + 1 || goes(c) || stands_for_something(c) || gets_any(c, end))
+                continue;
+            bool all = true;
+            for (size_t i = c + 1; i < end; ++i) all &= goes(i);
+            if (!all) continue;
+            std::erase_if(out_.removed, [&](size_t i) { return c < i && i < end; });
+            for (size_t was = 0; was < texts_.before.clauses.size(); ++was)
+                if (counterpart(was) == c + 1)
+                    leave("the source lost `" + shown(texts_.before.words, before(was).first, before(was).end) +
+                              "`; the port would keep an empty block around it",
+                          place_now(was), target(c + 1).first);
+        }
+    }
+
+    /// True if clauses come into a block of the target.
+    bool gets_any(size_t head, size_t end) const {
+        return std::any_of(out_.added.begin(), out_.added.end(), [&](const ClausesAdded& one) {
+            return target(head).end <= one.before && one.before <= target(end).first;
+        });
     }
 
     /// True if the source has nothing new in the place of a clause that it lost.

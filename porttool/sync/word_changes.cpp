@@ -18,6 +18,7 @@ namespace porttool {
 void WordChanger::change_words(const std::vector<Hunk>& hunks, size_t was, size_t is, size_t there) {
     const size_t made = out_.replaced.size(), left = out_.left.size(), spelled = respelled_.size();
     for (const Hunk& hunk : hunks) change_run(hunk, was, there);
+    const bool respells_too = respelled_.size() > spelled;
     if (out_.replaced.size() > made) take_spellings(hunks, spelled);
     if (out_.left.size() > left) return out_.replaced.resize(made);
     if (const std::string why = manner_.doubt_of_calls(before(was), now(is)); !why.empty() && !hunks.empty()) {
@@ -26,7 +27,7 @@ void WordChanger::change_words(const std::vector<Hunk>& hunks, size_t was, size_
     }
     // Where the target says the clause word for word it has to say the new one so, too.
     const Clause& other = target(there);
-    if (out_.replaced.size() == made || was == 0 ||
+    if (out_.replaced.size() == made || was == 0 || respells_too ||
         !says(other.first, other.end, carry_old(before(was).first, before(was).end).words) ||
         translator_.calls_otherwise(texts_.now.words, now(is).first, now(is).end))
         return;
@@ -35,6 +36,13 @@ void WordChanger::change_words(const std::vector<Hunk>& hunks, size_t was, size_
     if (!uses_.doubt_within(now_said.words, now(is).end, other.first).empty()) return;
     out_.replaced.resize(made);
     out_.replaced.push_back({target(there).first, target(there).end, now_said.words, now(is).first, now(is).end});
+}
+
+bool WordChanger::respells(const std::vector<Hunk>& hunks) const {
+    return !hunks.empty() && std::all_of(hunks.begin(), hunks.end(), [&](const Hunk& hunk) {
+        return hunk.is_word_for_word() && is_name(texts_.now.words[hunk.now_first]) && is_neutral(hunk) &&
+               is_spelled_alike(hunk) && translator_.knows_there(texts_.now.words[hunk.now_first]);
+    });
 }
 
 std::vector<std::string> WordChanger::result_of(const Clause& clause, size_t made) const {
@@ -83,6 +91,23 @@ bool WordChanger::picks_otherwise(size_t i) const {
 }
 
 void WordChanger::change_run(Hunk hunk, size_t was, size_t there) {
+    const size_t left = out_.left.size();
+    change_words_of(hunk, was, there);
+    // What only says more of the same values is due nowhere: it comes where it has a place.
+    if (says_no_value(hunk)) out_.left.resize(left);
+}
+
+bool WordChanger::says_no_value(const Hunk& hunk) const {
+    const auto all = [](const std::vector<std::string>& words, size_t first, size_t end) {
+        return std::all_of(words.begin() + static_cast<std::ptrdiff_t>(first),
+                           words.begin() + static_cast<std::ptrdiff_t>(end), [](const std::string& word) {
+                               return is_one_of(word, {"const", "restrict", "__restrict", "__restrict__"});
+                           });
+    };
+    return all(texts_.before.words, hunk.first, hunk.end) && all(texts_.now.words, hunk.now_first, hunk.now_end);
+}
+
+void WordChanger::change_words_of(Hunk hunk, size_t was, size_t there) {
     if (was == 0 && loses_way_out(hunk))
         return leave_run(hunk, target(there).first, "nothing tells how the port hands a value back so");
     if (is_neutral(hunk)) return respell(hunk);

@@ -26,6 +26,9 @@ public:
         : EditReading(reading), uses_(uses), manner_(reading), out_(out) {}
 
     std::vector<Hunk> hunks_of(const Clause& was, const Clause& is) const;
+    /// True if all that changed are spellings of words that the target spells as the source did, and new ones that it
+    /// knows.
+    bool respells(const std::vector<Hunk>& hunks) const;
     /// A clause is changed as a whole or not at all.
     void change_words(const std::vector<Hunk>& hunks, size_t was, size_t is, size_t there);
     /// Spellings alone that the target has as the source had them.
@@ -35,6 +38,9 @@ private:
     /// A clause of the target with what replaces words of it, from the `made`-th replacement on.
     std::vector<std::string> result_of(const Clause& clause, size_t made) const;
     void change_run(Hunk hunk, size_t was, size_t there);
+    void change_words_of(Hunk hunk, size_t was, size_t there);
+    /// True for `const` and `restrict` alone that came or went.
+    bool says_no_value(const Hunk& hunk) const;
     void put(const Hunk& hunk, size_t first, size_t end, const CarriedWords& now);
     /// True for words of a head that hand a value back, where what the port would have of them does not.
     bool loses_way_out(const Hunk& hunk) const;

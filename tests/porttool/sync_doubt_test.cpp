@@ -169,5 +169,65 @@ TEST_F(SyncDoubt, AClockThatStartsABlockIsAskedBeforeWhatTakesItsTime) {
                   file("  prepare_device();\n", "  auto first = clock::now();\n"));
 }
 
+TEST_F(SyncDoubt, ALaunchInAnotherFormIsNothingToAPortWithoutOne) {
+    const auto file = [](const std::string& launch, const std::string& scale) {
+        return "void run(float* x, int n) {\n  int seen = 0;\n  " + launch + "\n  report(x, n, " + scale + ");\n}\n";
+    };
+    start("k.hip", file("hipLaunchKernelGGL(HIP_KERNEL_NAME(fill<3>), dim3(n), dim3(64), 0, 0, x, n);", "1e-9f"),
+          "k.cpp", file("fill_all<3>(x, n);", "1e-9f"));
+    expect_ported(file("fill<3><<<n, 64>>>(x, n);", "1e-6f"), file("fill_all<3>(x, n);", "1e-6f"));
+}
+
+TEST_F(SyncDoubt, ALaunchOfMoreThreadsIsNoOtherForm) {
+    const auto file = [](const std::string& launch, const std::string& scale) {
+        return "void run(float* x, int n) {\n  int seen = 0;\n  " + launch + "\n  report(x, n, " + scale + ");\n}\n";
+    };
+    start("k.hip", file("hipLaunchKernelGGL(fill, dim3(n), dim3(64), 0, 0, x, n);", "1e-9f"), "k.cpp",
+          file("for (int i = 0; i < n; i++) x[i] = 0;", "1e-9f"));
+    const nlohmann::json got = proposal_of(file("fill<<<n, 128>>>(x, n);", "1e-6f"));
+    EXPECT_NE(got["state"], "proposed") << got.dump(1);
+}
+
+TEST_F(SyncDoubt, ANewSpellingOfAConstantIsCarriedWhereThePortSpeltItAlike) {
+    const std::string kernel =
+        "#include <math.h>\n#define PI 3.14159\nfloat wave(float x, float n) {\n  return sin(PI * x / n) * n;\n}\n";
+    start("k.cu", kernel, "k.cpp", kernel);
+    const std::string now = replaced(kernel, "sin(PI", "sin(M_PI");
+    write(source_path, now);
+    const std::string id = source_path + ":wave";
+    const nlohmann::json got = nlohmann::json::parse(porttool({"sync", id, "--format", "json"}).out)["proposals"][0];
+    ASSERT_EQ(got["state"], "proposed") << got.dump(1);
+    EXPECT_NE(got["patch"].get<std::string>().find("+  return sin(M_PI * x / n) * n;"), std::string::npos);
+}
+
+TEST_F(SyncDoubt, ASpellingComesWithBracketsThatGo) {
+    const auto file = [](const std::string& value) { return "int rows(int n, int b) {\n  return " + value + ";\n}\n"; };
+    start("k.cu", file("(int)ceil((float)(n) / b) + 1"), "k.hip", file("(int)ceil((float)(n) / b) + 1"));
+    expect_ported(file("(int)ceilf((float)n / b) + 2"), file("(int)ceilf((float)n / b) + 2"));
+}
+
+TEST_F(SyncDoubt, AQualifierWithoutAPlaceIsDueNowhere) {
+    const auto file = [](const std::string& head, const std::string& scale) {
+        return "void run(" + head + ") {\n  set_scale(n, " + scale + ");\n  finish(n);\n}\n";
+    };
+    start("k.cu", file("const float* x, float* out, int n", "2.0f"), "k.cpp", file("Rows rows, int n", "2.0f"));
+    expect_ported(file("const float* __restrict__ x, float* __restrict__ out, int n", "3.0f"),
+                  file("Rows rows, int n", "3.0f"));
+}
+
+TEST_F(SyncDoubt, ABlockOfThePortsOwnIsNotEmptied) {
+    const auto file = [](const std::string& first, const std::string& second) {
+        return "void run(float* x, int n) {\n  int seen = 0;\n" + first + second + "  report(x, n);\n}\n";
+    };
+    const auto held = [](const std::string& call) {
+        return "  q.submit([&](handler& h) {\n    h.parallel_for(n, [=](item<1> i) {\n      " + call +
+               "\n    });\n  });\n";
+    };
+    const std::string one = "tissue(i, x, n, 1);", two = "tissue(i, x, n, 2);";
+    start("k.cu", file("  tissue(i, x, n, 1);\n", "  tissue(i, x, n, 2);\n"), "k.cpp", file(held(one), held(two)));
+    const nlohmann::json got = proposal_of(file("", "  tissue(i, x, n, 2);\n"));
+    EXPECT_NE(got["state"], "proposed") << got.dump(1);
+}
+
 }  // namespace sync_doubt_test
 }  // namespace porttool::testing
