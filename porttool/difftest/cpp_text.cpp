@@ -369,6 +369,17 @@ std::string cpp_text_of(const ScannedFile& file, TokenRange range, const CppMann
     return std::move(writer.out);
 }
 
+std::string under_conditions(const Definition& one, std::string text, const CppManner& manner) {
+    const LexedText& lexed = one.file->lexed;
+    std::string before, behind;
+    for (const uint32_t directive : one.conditions) {
+        const Directive& line = lexed.directives[directive];
+        before += cpp_text_of(*one.file, {line.first_token, line.end_token}, manner) + "\n";
+        if (line.kind == DirectiveKind::If) behind += "#endif\n";
+    }
+    return before + std::move(text) + behind;
+}
+
 std::string cpp_text(const Piece& piece, const CppManner& manner) {
     const Definition& one = *piece.definition;
     const LexedText& lexed = one.file->lexed;

@@ -30,6 +30,9 @@ bool is_name_in_c(std::string_view word, Language language);
 /// components of vectors, literals and `out` parameters as C++ has them. Lines are kept apart where it has directives.
 std::string cpp_text(const Piece& piece, const CppManner& manner);
 
+/// Some text that counts where a definition does: between the lines of the preprocessor that it stands under.
+std::string under_conditions(const Definition& one, std::string text, const CppManner& manner);
+
 /// The declaration of a function; "" where it has one that cannot stand apart: a template, or with a default.
 std::string prototype(const Definition& function, const CppManner& manner);
 

@@ -31,8 +31,8 @@ namespace porttool {
 namespace {
 
 /// How the reasons begin that say of a function that it does not live by its arguments alone.
-constexpr std::array<std::string_view, 4> kImpure = {"a kernel", "a member function", "the start of a program",
-                                                     "binding"};
+constexpr std::array<std::string_view, 5> kImpure = {"a kernel", "a member function", "the start of a program",
+                                                     "binding", "input and output"};
 
 /// The units of one side by id.
 class SideUnits {

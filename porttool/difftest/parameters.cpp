@@ -30,6 +30,7 @@ void read_declaration(const ScannedFile& file, TokenRange range, const CppManner
         out.is_reference = out.is_reference || word == "&";
         const bool is_byte =
             word == "char" && i > range.first && (lexed.view(i - 1) == "unsigned" || lexed.view(i - 1) == "signed");
+        out.is_file = out.is_file || word == "FILE";
         out.is_untyped = out.is_untyped || word == "void";
         is_text = is_text || (word == "char" && !is_byte) || word == "void" || word == "FILE";
         if (lexed.tokens[i].kind == TokenKind::Identifier) out.name = word;

@@ -20,6 +20,7 @@ struct SubjectParameter {
     int elements = 1;           ///< behind a pointer, as far as the function looks
     std::string bound;          ///< of an array, as written; "" for none
     bool is_untyped = false;    ///< a `void*`
+    bool is_file = false;       ///< a `FILE*`
     std::string behind;         ///< of a `void*` what the function takes it for: a type; "" where it does not say so
 };
 

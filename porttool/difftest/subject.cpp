@@ -144,7 +144,10 @@ Subject subject_of(const Definition& function, const Definitions& definitions, c
         if (parameter.is_untyped && out.template_arguments.empty())
             parameter.behind = type_behind(function, parameter.name, manner_of(function, definitions, fields));
         parameter.can_be_array = parameter.can_be_array || !parameter.behind.empty();
-        if (!parameter.can_be_array) out.reason = "pointer of unknown length: " + parameter.name;
+        if (parameter.is_file)
+            out.reason = "input and output: " + parameter.name;
+        else if (!parameter.can_be_array)
+            out.reason = "pointer of unknown length: " + parameter.name;
         parameter.is_guess = true;
         parameter.elements = kGuessedElements;
     }

@@ -36,7 +36,7 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
     words.merge(words_of_side(subject.closure));
     CppManner manner = manner_of(*subject.function, definitions, fields);
     manner.widens = widens;
-    std::string before, announcements, pieces, visitors, after;
+    std::string before, announcements, pieces, visitors, conditional, after;
     std::set<std::string> used;
     std::map<std::string, std::vector<const Definition*>> later;  // functions that are not written yet
     for (const Piece& piece : subject.closure.pieces)
@@ -60,8 +60,10 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
             manner.body = answer(one, stand_in->second);
         (one.kind == Definition::Kind::Macro ? before : pieces) += cpp_text(piece, manner);
         if (one.kind == Definition::Kind::Struct) {
-            visitors += visitor(one, manner, words);
-            announcements += announced(one, manner);
+            std::string& all = one.conditions.empty() ? visitors : conditional;
+            all += under_conditions(one, visitor(one, manner, words), manner);
+            if (const std::string head = announced(one, manner); !head.empty())
+                announcements += under_conditions(one, head, manner);
         }
         after += undone(one);
     }
@@ -100,6 +102,7 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
         out += fmt::format("{{\"{}\", {}}}, ", parameter.name, count);
     }
     out += "{nullptr, 0}};\n";  // a bound may be spelled with a macro
+    out += conditional;
     out += after;
     out += visitors;
     out += fmt::format(

@@ -491,6 +491,12 @@ float twofold(pairing *v)
 int counts(int new) { return new + counted; }
 int delta(int new, int class) { return new - class * 2; }
 float imaginary(float I) { return I * 2.0f; }
+#ifdef WIDE_WORDS
+struct word { unsigned low, high; };
+#else
+typedef unsigned word;
+#endif
+word turned(word x) { return x << 3 | x >> 29; }
 float entry(const table *t, int i) { return t->entries[i][1] * t->scale[i]; }
 void scaled(table *t, float by) { int i; for (i = 0; i < t->rows && i < 4; ++i) t->scale[i] *= by; }
 float heaviest(const item *i) { return i->next ? i->next->weight : i->weight; }
@@ -503,8 +509,8 @@ int again(int n) { return n < 1 || n > 9 ? 1 : n * again(n - 1); }
 TEST_F(Difftest, RunsOldCAndFollowsPointersOfStructs) {
     write("a/units.h", "typedef struct { float first, second; } pairing;\n#define FACTOR 2\n");
     write("b/units.h", "typedef struct { float first, second; } pairing;\n#define FACTOR 2\n");
-    const std::vector<std::string> same = {"squared", "mixed",    "twofold",   "delta", "imaginary", "entry",
-                                           "scaled",  "heaviest", "block_sum", "bytes", "reset",     "again"};
+    const std::vector<std::string> same = {"squared",  "mixed",     "twofold", "delta", "imaginary", "entry", "scaled",
+                                           "heaviest", "block_sum", "bytes",   "reset", "again",     "turned"};
     nlohmann::json pairs = run_on("a.c", kOldC, "b.c", kOldC, {"--inputs", "600", "--ulps", "0"});
     for (const std::string& name : same) EXPECT_EQ(pair_of(pairs, name)["state"], "same") << pair_of(pairs, name);
     EXPECT_EQ(pair_of(pairs, "counts")["reason"], "binding counted") << "it stands behind another one's value";
@@ -523,7 +529,8 @@ TEST_F(Difftest, RunsOldCAndFollowsPointersOfStructs) {
                                                                     {"i->next = other->next; ", ""},
                                                                     {"p[n].second", "p[0].second"},
                                                                     {"data[n] * 3", "data[n] * 4"},
-                                                                    {"n * again", "n + again"}})
+                                                                    {"n * again", "n + again"},
+                                                                    {"x << 3", "x << 4"}})
         other = replaced(other, from, to);
     pairs = run_on("a.c", kOldC, "b.c", other, {"--inputs", "600", "--ulps", "0"});
     for (const std::string& name : same) EXPECT_EQ(pair_of(pairs, name)["state"], "differs") << pair_of(pairs, name);

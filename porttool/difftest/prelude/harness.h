@@ -140,7 +140,7 @@ struct Layout {
     bool is_input;
     int depth = 0;  ///< pointers that were followed
     int param = 0;
-    size_t count = 0;   ///< numbers of this parameter
+    size_t count = 0;   ///< numbers of this parameter, listed or noted
     size_t length = 0;  ///< of `path`, and of what no longer fits
     char path[1000] = {};
     Place* places = nullptr;
@@ -196,9 +196,10 @@ struct Layout {
 
 private:
     void add(void* at, const NumberType& type) {
+        ++count;
         if (!direction) return note({at, &type});
         constexpr size_t kMost = 2048;  // more is nobody's input
-        if (++count == kMost) unusable("many");
+        if (count == kMost) unusable("many");
         if (count >= kMost) return;
         if (length >= sizeof path) return unusable("deep");
         std::printf("%s %d %s %s\n", direction, param, type.kind, path);
@@ -249,9 +250,10 @@ struct Counter {
     void unusable(const char*) {}
 };
 
-/// How many of `most` values there are to be, so that nobody has to draw too many numbers.
+/// How many of `most` values there are to be, so that nobody has to draw too many numbers: 0 where there are `taken`
+/// already and not one more fits.
 template <class T>
-int count_within(int most) {
+int count_within(int most, size_t taken = 0) {
     void* const one = std::calloc(1, sizeof(T));
     if (one == nullptr) _exit(4);
     Counter counter;
@@ -259,6 +261,8 @@ int count_within(int most) {
     std::free(one);
     constexpr size_t kMost = 1900;
     const auto count = static_cast<size_t>(most);
+    if (taken > 0 && taken + counter.count > kMost) return 0;
+    if (taken > 0 && taken + counter.count * count > kMost) return 1;
     if (counter.count * count <= kMost && count * sizeof(T) <= kMostOfGuess) return most;
     const size_t fits = kMost / (counter.count + 1);
     return fits < 2 || kFewGuess * sizeof(T) > kMostOfGuess ? 1 : fits < kFewGuess ? static_cast<int>(fits) : kFewGuess;
@@ -281,17 +285,22 @@ void walk_pointer(V& v, T*& x) {
     } else {
         constexpr int kDeepest = 2;
         if (v.depth == kDeepest) return;
-        int count = kIsNumber<Bare> && v.depth == 0 ? kGuess : kFewGuess;
-        count = count_within<Bare>(count);
+        int count = 0;
         if (v.is_input) {
+            constexpr int kDeepGuess = 2;  // of structs behind a second pointer, which may lead on
+            count = count_within<Bare>(
+                kIsNumber<Bare> ? (v.depth == 0 ? kGuess : kFewGuess) : (v.depth == 0 ? kFewGuess : kDeepGuess),
+                v.count + 1);
+            if (count == 0 || reached_count == kMostReached) return;  // it leads nowhere
             const size_t size = static_cast<size_t>(count) * sizeof(Bare);
-            if (reached_count == kMostReached) return v.unusable("many");
             x = static_cast<Bare*>(guarded(size));
             reached[reached_count++] = {reinterpret_cast<char*>(const_cast<Bare*>(x)), size, sizeof(Bare), &x};
             v.keep(reinterpret_cast<void**>(const_cast<Bare**>(&x)));
-        } else if (x == nullptr) {
-            return v.unusable("pointer");  // of what is returned
         } else {
+            if (v.param < 0) return v.unusable("pointer");  // what is returned leads who knows where
+            for (int i = 0; i < reached_count; ++i)
+                if (reached[i].pointer == &x) count = static_cast<int>(reached[i].size / reached[i].element);
+            if (count == 0) return;
             v.pointer(&x);
         }
         ++v.depth;
