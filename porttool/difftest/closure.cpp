@@ -14,7 +14,7 @@
 namespace porttool {
 namespace {
 
-constexpr size_t kMostPieces = 400;  ///< a function that needs more is no function of its own
+constexpr size_t kMostPieces = 1000;  ///< a function that needs more is no function of its own
 constexpr int kMostRounds = 4;
 
 bool is_member_access(const LexedText& lexed, uint32_t i) {

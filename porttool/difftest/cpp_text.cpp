@@ -192,7 +192,7 @@ private:
     }
 
     void parameter(TokenRange range) {
-        const bool outward = vectors_ && range.first < range.end && [&] {
+        const bool outward = shading_ && range.first < range.end && [&] {
             for (uint32_t i = range.first; i < range.end; ++i)
                 if (is_one_of(view(i), {"out", "inout"})) return true;
             return false;

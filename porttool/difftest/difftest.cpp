@@ -368,14 +368,27 @@ private:
         if (pair.state != DifftestState::NotRun && pair.reason.empty() && !work.subject.source.stood_in.empty())
             pair.reason = "with one answer on both sides for what reads bindings";
         tell_assumed(pair, work.subject);
-        if (!match.zeroed.empty() && pair.state != DifftestState::NotRun)
-            pair.reason = "with " + match.zeroed + " at 0" + (pair.reason.empty() ? "" : "; " + pair.reason);
+        tell_guessed_match(pair, match, trial, table);
         if (!array.empty()) tell_guess(pair, array, work.built, records);
         if (work.built.source.calls.empty() && work.built.target.calls.empty()) return;
         // That one does to components what the other does to numbers was a guess.
         if (2 * differing > pair.inputs) pair = {pair.source, pair.target, DifftestState::NotRun, 0, "", {}, why_not};
         if (pair.state != DifftestState::NotRun)
             pair.reason = "component by component" + (pair.reason.empty() ? "" : "; " + pair.reason);
+    }
+
+    /// Numbers that were paired by their order, and marks that one side alone keeps: those are drawn as 0, and as 1,
+    /// where a difference may be what the mark is there for.
+    static void tell_guessed_match(DifftestPair& pair, const LeafMatch& match, Trial& trial, const InputTable& table) {
+        if (pair.state == DifftestState::NotRun) return;
+        std::string guess;
+        if (!match.ordered.empty()) guess = "with " + match.ordered + " paired by its order";
+        if (!match.zeroed.empty()) {
+            const std::optional<size_t> differing = trial.run_with_marks(table);
+            guess += (guess.empty() ? "with " : ", ") + match.zeroed + " at 0";
+            if (differing) guess += *differing == 0 ? " and at 1" : "; at 1 they differ";
+        }
+        if (!guess.empty()) pair.reason = guess + (pair.reason.empty() ? "" : "; " + pair.reason);
     }
 
     /// Makes a side for numbers one for the other's vectors. True where that is to be tried.

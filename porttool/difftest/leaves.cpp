@@ -166,7 +166,7 @@ bool has_beside(const NamedPlaces& all, std::string_view name) {
 
 /// Pairs what both look at of one parameter by its names; what only one looks at must be there on the other side.
 bool match_used(const BySide<const std::vector<Leaf>*>& leaves, const BySide<UsedPlaces>& places,
-                const BySide<int>& parameter, std::vector<BySide<size_t>>& out, std::string& zeroed) {
+                const BySide<int>& parameter, std::vector<BySide<size_t>>& out, LeafMatch& guesses) {
     BySide<NamedPlaces> all, used;
     std::set<size_t> done;  // of the source's
     for (const Side side : kBothSides)
@@ -182,10 +182,14 @@ bool match_used(const BySide<const std::vector<Leaf>*>& leaves, const BySide<Use
         for (const auto& [name, at] : used[side]) {
             const auto there = all[other(side)].find(name);
             if (there == all[other(side)].end()) {
-                if (match_by_order(leaves, all, side, name, done, out)) continue;
+                if (match_by_order(leaves, all, side, name, done, out)) {
+                    guesses.ordered = (*leaves[side])[at].path;
+                    continue;
+                }
                 // What one side notes of a value that both have, it has noted nothing of.
                 if ((*leaves[side])[at].kind != NumberKind::Bool || !has_beside(all[other(side)], name)) return false;
-                zeroed = (*leaves[side])[at].path;
+                guesses.zeroed = (*leaves[side])[at].path;
+                guesses.marks[side].push_back(at);
                 continue;
             }
             if (!fit((*leaves[side])[at], (*leaves[other(side)])[there->second])) return false;
@@ -197,7 +201,7 @@ bool match_used(const BySide<const std::vector<Leaf>*>& leaves, const BySide<Use
 }
 
 bool match_used_side(const BySide<const std::vector<Leaf>*>& leaves, const BySide<TextOfSide>& texts, bool are_given,
-                     std::vector<BySide<size_t>>& out, std::string& zeroed) {
+                     std::vector<BySide<size_t>>& out, LeafMatch& guesses) {
     out.clear();
     const BySide<UsedPlaces> places = {used_places(*leaves.source, texts.source, are_given),
                                        used_places(*leaves.target, texts.target, are_given)};
@@ -205,7 +209,7 @@ bool match_used_side(const BySide<const std::vector<Leaf>*>& leaves, const BySid
     if (ours.size() != theirs.size()) return false;
     auto other = theirs.begin();
     for (const auto& [parameter, numbers] : ours) {
-        if (!match_used(leaves, places, {parameter, other->first}, out, zeroed)) return false;
+        if (!match_used(leaves, places, {parameter, other->first}, out, guesses)) return false;
         ++other;
     }
     std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.source < b.source; });
@@ -246,10 +250,12 @@ LeafMatch match_leaves(const Leaves& source, const Leaves& target) {
 }
 
 LeafMatch match_used_leaves(const Leaves& source, const Leaves& target, const BySide<TextOfSide>& texts) {
-    LeafMatch out;
-    if (!match_used_side({&source.in, &target.in}, texts, false, out.in, out.zeroed) ||
-        !match_used_side({&source.out, &target.out}, texts, true, out.out, out.zeroed) || out.out.empty())
+    LeafMatch out, given;
+    if (!match_used_side({&source.in, &target.in}, texts, false, out.in, out) ||
+        !match_used_side({&source.out, &target.out}, texts, true, out.out, given) || out.out.empty())
         out.reason = "they look at different numbers";
+    if (out.zeroed.empty()) out.zeroed = given.zeroed;  // a mark that is only given is not compared
+    if (out.ordered.empty()) out.ordered = given.ordered;
     return out;
 }
 

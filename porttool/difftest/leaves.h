@@ -38,6 +38,8 @@ std::map<int, Leaves> read_leaves(std::string_view text);
 struct LeafMatch {
     std::vector<BySide<size_t>> in, out;  ///< places among the leaves; what stands in none is 0, and not compared
     std::string zeroed;                   ///< a mark that one side alone keeps, which is 0; "" for none
+    BySide<std::vector<size_t>> marks;    ///< the places of such marks among what each side takes
+    std::string ordered;                  ///< of the numbers that were paired by their order one; "" for none
     std::string reason;
 };
 LeafMatch match_leaves(const Leaves& source, const Leaves& target);

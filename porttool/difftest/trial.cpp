@@ -61,6 +61,7 @@ std::string Trial::run_side(const BuiltSide& side, const InputTable& table, bool
         return "there is no memory for its inputs; give --inputs a smaller number";
     uint64_t* next = in.slots().data();
     std::vector<uint64_t> row(side.leaves.in.size());
+    for (const size_t place : match_.marks[which]) row[place] = mark_;
     for (size_t record = 0; record < records_; ++record) {
         for (size_t i = 0; i < inputs_.size(); ++i) {
             const size_t place = match_.in[i][which];
@@ -109,6 +110,17 @@ std::string Trial::run(const InputTable& table) {
             !run_side(*wide_[side], table, side == Side::Target, wide_out_[side]).empty())
             wide_[side] = nullptr;
     return failure;
+}
+
+std::optional<size_t> Trial::run_with_marks(const InputTable& table) {
+    mark_ = 1;
+    const std::string failure = run(table);
+    mark_ = 0;
+    if (!failure.empty()) return std::nullopt;
+    size_t differing = 0;
+    for (size_t record = 0; record < records_; ++record)
+        if (outcome(record) == Outcomes::Differs) ++differing;
+    return differing;
 }
 
 bool Trial::repeats(const InputTable& table) {

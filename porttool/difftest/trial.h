@@ -53,6 +53,8 @@ public:
 
     /// Runs both on every record of a table. "" or why that failed; outcomes() then has what became of each record.
     std::string run(const InputTable& table);
+    /// The same with the marks that one side alone keeps set. How many records differ, or nothing where that failed.
+    std::optional<size_t> run_with_marks(const InputTable& table);
     /// True where both sides give the same again on the table that they ran on last.
     bool repeats(const InputTable& table);
     /// True where the last run ended because a side did not come back from too many of its inputs.
@@ -93,6 +95,7 @@ private:
     std::vector<Leaf> inputs_;
     size_t records_ = 0;
     bool endless_ = false;
+    uint64_t mark_ = 0;  ///< what the marks that one side alone keeps are
     TrialMemory& memory_;
     BySide<const BuiltSide*> wide_;
     BySide<std::vector<uint64_t>> wide_out_;

@@ -160,6 +160,8 @@ __constant float kGains[3] = {0.5f, 1.0f, 2.0f};
 float tone(const float3 c) { return mad(c.x, 0.25f, native_sqrt(fabs(c.s1))) + as_float(as_uint(c.z)); }
 float3 shaded(__private const Hit *hit) { return (float3)(hit->uv.x, hit->uv.y, kGains[1]) * hit->base.zyx; }
 int picked(int kind, bool front) { return select(kind, -kind, front); }
+float named(float in, __private float *out) { *out = in + 1.0f; return in; }
+float whole_power(float x) { return pown(x, 3); }
 float sum(__global const float *values, int count) { float s = 0; for (int i = 0; i < count; ++i) s += values[i]; return s; }
 __kernel void fill(__global float *out) { out[get_global_id(0)] = 1.0f; }
 )",
@@ -171,6 +173,8 @@ __device__ float3 shaded(const Hit* __restrict__ hit) {
     float3 c = make_float3(hit->uv.x, hit->uv.y, gains[1]);
     return make_float3(c.x * hit->base.z, c.y * hit->base.y, c.z * hit->base.x);
 }
+__device__ float named(float in, float* out) { *out = 1.0f + in; return in; }
+__device__ float whole_power(float x) { return powf(x, 3.0f); }
 __device__ int picked(int kind, bool front) { return front ? kind : -kind; }
 __device__ float sum(const float* values, int count) { float s = 0; for (int i = 0; i < count; ++i) s += values[i]; return s; }
 __global__ void fill(float* out) { out[threadIdx.x] = 1.0f; }
@@ -178,10 +182,29 @@ __global__ void fill(float* out) { out[threadIdx.x] = 1.0f; }
                                         {"--inputs", "3000", "--ulps", "0"});
     EXPECT_EQ(pair_of(pairs, "tone")["state"], "same") << pairs.dump(1);
     EXPECT_EQ(pair_of(pairs, "shaded")["state"], "same") << pairs.dump(1);
+    EXPECT_EQ(pair_of(pairs, "named")["state"], "same") << "`in` and `out` are names in OpenCL: " << pairs.dump(1);
+    EXPECT_EQ(pair_of(pairs, "whole_power")["state"], "same") << pairs.dump(1);
     EXPECT_EQ(pair_of(pairs, "picked")["state"], "differs");
     EXPECT_EQ(pair_of(pairs, "picked")["counterexample"]["inputs"]["kind"], 1);
     EXPECT_EQ(pair_of(pairs, "sum")["reason"], "arrays of 64 elements");
     EXPECT_EQ(pair_of(pairs, "fill")["reason"], "a kernel: it takes its work from a launch");
+}
+
+TEST_F(Difftest, HasBuiltInsOfDevices) {
+    // By their definitions, bit by bit.
+    const std::string slow = R"(
+int dotted(int a, int b, int c) { for (int i = 0; i < 4; ++i) c += (int)(signed char)(a >> 8 * i) * (signed char)(b >> 8 * i); return c; }
+unsigned chosen(unsigned a, unsigned b, unsigned s) { unsigned out = 0; for (int i = 0; i < 4; ++i) {
+    const unsigned digit = s >> 4 * i & 15, from = (digit & 4 ? b : a) >> 8 * (digit & 3) & 255;
+    out |= (digit & 8 ? (from >> 7) * 255 : from) << 8 * i; } return out; }
+)";
+    const nlohmann::json pairs = run_on("a.cu", R"(
+__device__ int dotted(int a, int b, int c) { return __dp4a(a, b, c); }
+__device__ unsigned chosen(unsigned a, unsigned b, unsigned s) { return __byte_perm(a, b, s); }
+)",
+                                        "b.cpp", slow, {"--inputs", "2000", "--ulps", "0"});
+    for (const char* name : {"dotted", "chosen"})
+        EXPECT_EQ(pair_of(pairs, name)["state"], "same") << pair_of(pairs, name).dump(1);
 }
 
 TEST_F(Difftest, SuppliesWhatARunDoesNotHave) {
@@ -436,6 +459,7 @@ typedef struct PACKED { float2 row; } MarkCl;
 typedef struct PACKED { int steps; float2 scale; MarkCl mark; } BoxCl;
 float2 stretched(float2 p, global BoxCl* box) { return p * box->scale * (float)box->steps; }
 float2 marked(float2 p, global BoxCl* box) { return box->mark.row; }
+float2 noted(float2 p, global BoxCl* box) { return box->mark.row; }
 float2 lacking(float2 p, global BoxCl* box) { return p; }
 float plain(float v) { return v * 2.0f; }
 float held(float v) { return v; }
@@ -449,6 +473,7 @@ float layered(float v) { return v * 3; }
 float called(float v) { return v * 3; }
 inline void stretched(Vec& p, const Box& box) { p = p * box.scale * Vec(box.steps, box.steps); }
 inline void marked(Vec& p, const Box& box) { p = box.mark.none ? Vec() : box.mark.row; }
+inline void noted(Vec& p, const Box& box) { p = box.mark.row; if (box.mark.none) p = box.mark.row; }
 inline void lacking(Vec& p, const Box& box) { p.x += box.only_here; }
 float summed(float& a, float& b) { return a + b; }
 float grown(float& a, float& b) { a += b; return a; }
@@ -460,7 +485,8 @@ float grown(float& a, float& b) { a += b; return a; }
                                                           {"stretched", ""},
                                                           {"summed", ""},
                                                           {"plain", ""},
-                                                          {"marked", "with box.mark.none at 0"}}) {
+                                                          {"marked", "with box.mark.none at 0; at 1 they differ"},
+                                                          {"noted", "with box.mark.none at 0 and at 1"}}) {
         EXPECT_EQ(pair_of(pairs, name)["state"], "same") << pair_of(pairs, name).dump(1);
         EXPECT_EQ(pair_of(pairs, name)["reason"].get<std::string>().find(reason), 0u) << pair_of(pairs, name)["reason"];
     }

@@ -261,6 +261,7 @@ PORTTOOL_VECTORS(long, long)
 PORTTOOL_VECTORS(unsigned long, ulong)
 PORTTOOL_VECTORS(long long, longlong)
 PORTTOOL_VECTORS(bool, bool)
+PORTTOOL_VECTORS(_Float16, half)
 #undef PORTTOOL_VECTORS
 using vec2 = vec<float, 2>;
 using vec3 = vec<float, 3>;
@@ -723,6 +724,35 @@ template <class A, class B>
 constexpr uint32_t mul_hi(A a, B b) {
     return __umulhi(a, b);
 }
+/// Four products of bytes, added up.
+constexpr int __dp4a(int a, int b, int sum) {
+    for (int i = 0; i < 32; i += 8) sum += static_cast<signed char>(a >> i) * static_cast<signed char>(b >> i);
+    return sum;
+}
+constexpr unsigned int __dp4a(unsigned int a, unsigned int b, unsigned int sum) {
+    for (int i = 0; i < 32; i += 8) sum += ((a >> i) & 0xffu) * ((b >> i) & 0xffu);
+    return sum;
+}
+/// Four of the eight bytes of two words: a digit of the selector tells which, and its highest bit asks for the sign.
+template <class A, class B, class S>
+constexpr uint32_t __byte_perm(A low, B high, S selector) {
+    const uint64_t bytes = static_cast<uint64_t>(static_cast<uint32_t>(high)) << 32 | static_cast<uint32_t>(low);
+    uint32_t out = 0;
+    for (int i = 0; i < 4; ++i) {
+        const uint32_t digit = static_cast<uint32_t>(selector) >> (4 * i);
+        uint32_t byte = static_cast<uint32_t>(bytes >> (8 * (digit & 7u))) & 0xffu;
+        if ((digit & 8u) != 0) byte = (byte & 0x80u) != 0 ? 0xffu : 0;
+        out |= byte << (8 * i);
+    }
+    return out;
+}
+template <Number A>
+constexpr A pown(A x, int power) {
+    return static_cast<A>(std::pow(x, static_cast<A>(power)));
+}
+constexpr float __low2float(const vec<_Float16, 2>& v) { return static_cast<float>(v.at[0]); }
+constexpr float __high2float(const vec<_Float16, 2>& v) { return static_cast<float>(v.at[1]); }
+constexpr vec<float, 2> __half22float2(const vec<_Float16, 2>& v) { return {__low2float(v), __high2float(v)}; }
 template <class T>
 constexpr T __ldg(const T* at) {
     return *at;
