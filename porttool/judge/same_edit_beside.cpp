@@ -3,6 +3,7 @@
 #include "porttool/judge/same_edit_beside.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -19,8 +20,7 @@ struct KeysOfEdit {
     Counts gained, lost;
     size_t longest = 0;  ///< in words
 
-    KeysOfEdit(const Words& before, const Words& now, const Translator& translator) {
-        const StatementEdit edit = statement_edit(before, now, translator);
+    explicit KeysOfEdit(const StatementEdit& edit) {
         const auto add = [&](const Statement& statement, Counts& out) {
             if (statement.is_brace()) return;
             ++out[statement.key];
@@ -30,6 +30,48 @@ struct KeysOfEdit {
         for (const size_t i : edit.lost) add(edit.before[i], lost);
     }
 };
+
+/// True if two statements have more than half of their words in common.
+bool are_alike(const Statement& a, const Statement& b) {
+    std::vector<std::string> left = a.common, right = b.common, both;
+    std::sort(left.begin(), left.end());
+    std::sort(right.begin(), right.end());
+    std::set_intersection(left.begin(), left.end(), right.begin(), right.end(), std::back_inserter(both));
+    return 2 * both.size() > std::max(left.size(), right.size());
+}
+
+/// What the edit took, and what stands beside what it brought in no other's place.
+std::vector<const Statement*> places_of(const StatementEdit& edit) {
+    std::vector<const Statement*> out;
+    for (const size_t i : edit.lost) out.push_back(&edit.before[i]);
+    std::vector<bool> is_gone_after(edit.now.size() + 1,
+                                    false);  // at a statement's number and one more; 0: at the start
+    size_t last = 0;
+    for (const size_t now : edit.kept())
+        if (now == StatementEdit::kGone)
+            is_gone_after[last] = true;
+        else
+            last = now + 1;
+    size_t before = 0;  // the number, and one more, of the last statement that was there before
+    for (size_t i = 0, next = 0; i < edit.now.size(); ++i) {
+        const bool came = next < edit.gained.size() && edit.gained[next] == i;
+        if (came) ++next;
+        if (!came) before = i + 1;
+        if (!came || is_gone_after[before]) continue;
+        if (i > 0) out.push_back(&edit.now[i - 1]);
+        if (i + 1 < edit.now.size()) out.push_back(&edit.now[i + 1]);
+    }
+    return out;
+}
+
+/// True if the counterpart says something like the places of the edit: then it is its own that was to be edited.
+bool has_its_place(const StatementEdit& edit, const std::vector<Statement>& counterpart) {
+    const std::vector<const Statement*> places = places_of(edit);
+    return std::any_of(places.begin(), places.end(), [&](const Statement* place) {
+        return !place->is_brace() && std::any_of(counterpart.begin(), counterpart.end(),
+                                                 [&](const Statement& there) { return are_alike(*place, there); });
+    });
+}
 
 bool has_all(const Counts& all, const Counts& some) {
     return std::all_of(some.begin(), some.end(), [&](const auto& one) {
@@ -74,8 +116,12 @@ std::string same_edit_beside(const Case& facts, const JudgedPair& pair, Side sid
         }
         return out;
     });
-    const KeysOfEdit edit(without_prelude(before.words()), without_prelude(unit.text.words()), translator);
+    const StatementEdit all_of_it =
+        statement_edit(without_prelude(before.words()), without_prelude(unit.text.words()), translator);
+    const KeysOfEdit edit(all_of_it);
     if (edit.longest < kSaysSomething) return {};
+    if (has_its_place(all_of_it, split_statements(without_prelude(pair.unit[there]->text.words()), translator)))
+        return {};
     const std::set<std::string_view> known = watched(facts, there);
     for (const auto& [id, beside] : facts.units(there)) {
         const bool is_code = beside.kind == UnitKind::Function || beside.kind == UnitKind::Kernel;
@@ -84,10 +130,10 @@ std::string same_edit_beside(const Case& facts, const JudgedPair& pair, Side sid
         if (facts.at_base[there] != nullptr) {
             const auto then = facts.at_base[there]->find(id);
             if (then == facts.at_base[there]->end()) continue;
-            const KeysOfEdit there_too(without_prelude(then->second.text.words()), now, translator);
+            const KeysOfEdit there_too(statement_edit(without_prelude(then->second.text.words()), now, translator));
             if (has_all(there_too.gained, edit.gained) && has_all(there_too.lost, edit.lost)) return id;
         } else if (was_edited(facts, beside, there)) {
-            const KeysOfEdit all({}, now, translator);
+            const KeysOfEdit all(statement_edit({}, now, translator));
             if (!edit.gained.empty() && has_all(all.gained, edit.gained) && has_none(all.gained, edit.lost)) return id;
         }
     }

@@ -15,7 +15,8 @@ namespace porttool {
 ///     port        void run() { ... n = size() - taps; for (...) y[i] = fir(x, i, n); }
 ///     source      void launch() { ... n = size() - taps; kernel<<<...>>>(x, y, n); }      and the kernel, the pair's
 ///
-/// All statements that came or went did so there as well, and one of them says something. Of a unit whose text before
+/// All statements that came or went did so there as well, one of them says something, and the counterpart has nothing
+/// like the place that they came to or went from. Of a unit whose text before
 /// is not known (without a merge base, what the baseline has of it) it is enough that it was edited, says all that came
 /// and nothing of what went.
 std::string same_edit_beside(const Case& facts, const JudgedPair& pair, Side side, const NormalText& before,

@@ -217,6 +217,23 @@ TEST(QuietGate, TheSameEditOfALauncherIsThePortsToo) {
                     "int most(int taps) { const int n = size() - taps + 1; return n; }\n"),
               told)
         << "it was not edited";
+    // What the pair says on both sides is the kernel's own, whatever was edited beside it.
+    const std::string term = "0.5f * x[i + 1]",
+                      more = "void more(float* y, const float* x, int i) {\n  " +
+                             kernel.substr(kernel.find("y[i] ="),
+                                           kernel.find(";", kernel.find("y[i] =")) + 1 - kernel.find("y[i] =")) +
+                             "\n}\n";
+    EXPECT_EQ(loud({{"s/k.cu", kernel + more}, {"t/k.cpp", port}},
+                   {{"s/k.cu", kernel + replaced(more, term, "0.75f * x[i + 1]")},
+                    {"t/k.cpp", replaced(port, term, "0.75f * x[i + 1]")}},
+                   {"s/k.cu:fir=t/k.cpp:Fir::run"}),
+              told);
+    const std::string line = "  y[i] = min(y[i], 1.0f);\n}\n";
+    EXPECT_EQ(loud({{"s/k.cu", kernel + more}, {"t/k.cpp", port}},
+                   {{"s/k.cu", kernel + replaced(more, "\n}\n", "\n" + line)},
+                    {"t/k.cpp", replaced(port, "x[i + 2]; }\n}\n", "x[i + 2];\n" + line + "}\n")}},
+                   {"s/k.cu:fir=t/k.cpp:Fir::run"}),
+              told);
 }
 
 TEST(QuietGate, WhereTextsAreApartOnlyWholeClausesAreCommonGround) {
