@@ -16,12 +16,16 @@
 namespace porttool {
 namespace {
 
+const std::set<std::string>& number_types() {
+    static const std::set<std::string> kTypes = {"int",      "uint", "int8_t", "uint8_t", "short",
+                                                 "uint16_t", "long", "ulong",  "int64_t", "uint64_t",
+                                                 "size_t",   "char", "float",  "double",  "half"};
+    return kTypes;
+}
+
 std::string number_type(std::string_view word) {
-    const std::string_view plain = one_spelling(word, Language::Cpp);
-    return is_one_of(plain, {"int", "uint", "int8_t", "uint8_t", "short", "uint16_t", "long", "ulong", "int64_t",
-                             "uint64_t", "size_t", "char", "float", "double", "half"})
-               ? std::string(plain)
-               : std::string();
+    std::string plain(one_spelling(word, Language::Cpp));
+    return number_types().contains(plain) ? plain : std::string();
 }
 
 /// The types of numbers that one text has more often than the other.
@@ -63,7 +67,8 @@ std::string declared_behind(const Words& words, size_t i) {
 
 std::optional<std::vector<Retyped>> only_retypes(const Words& before, const Words& now) {
     const Words then = with_one_word_types(before), today = with_one_word_types(now);
-    const std::set<std::string> types = exchanged_types(then, today);
+    const std::set<std::string>& all = number_types();
+    const std::set<std::string> types = exchanged_types(without_casts(then, all), without_casts(today, all));
     if (types.empty()) return std::nullopt;
     const Words old_text = without_casts(then, types), new_text = without_casts(today, types);
     if (old_text.size() != new_text.size()) return std::nullopt;

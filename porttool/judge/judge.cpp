@@ -76,7 +76,7 @@ public:
           pair_judge_(facts, renamed_, shared_files_, findings_),
           macro_edits_(facts, shared_files_, findings_),
           new_names_(facts, findings_),
-          unlike_names_(facts, findings_),
+          unlike_names_(facts, pair_judge_.dialect(), findings_),
           verdicts_(facts, findings_) {
         if (facts.in_project != nullptr && facts.in_project != &facts.lock)
             in_project_.emplace(facts.map, *facts.in_project, facts.source, facts.target);

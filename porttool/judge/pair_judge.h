@@ -26,6 +26,9 @@ public:
     /// Judges the pair of the map whose ids lead to `units` and to that line of the lock; adds its findings.
     JudgedPair judge(const BySide<std::string>& id, int map_line, const BySide<Resolved>& units, const FoundLock& lock);
 
+    /// What edits are compared with.
+    const Dialect& dialect() const { return dialect_; }
+
     /// True if the pair that was judged last is in step because the edit of one side is the port of the other's.
     bool found_one_edit() const { return found_one_edit_; }
 

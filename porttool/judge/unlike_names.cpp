@@ -10,7 +10,6 @@
 #include "porttool/compare/casts.h"
 #include "porttool/compare/edits.h"
 #include "porttool/compare/numbered_text.h"
-#include "porttool/compare/paired_names.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/normal/prelude.h"
@@ -105,7 +104,7 @@ void UnlikeNames::judge(JudgedPair& pair, const LockedPair* line) {
         texts.languages[side] = language_of_path(unit->file);
         texts.came[side] = words_that_came(texts.before[side], texts.now[side]);
     }
-    if (!dialect_) dialect_ = dialect_of_edits(facts_.map);
+    if (texts.came.source.empty() && texts.came.target.empty()) return;
     tell_functions(pair, texts);
     tell_members(pair, texts);
     tell_types(pair, texts);
@@ -139,7 +138,7 @@ void UnlikeNames::tell_functions(JudgedPair& pair, const Texts& texts) {
         const NumberedText source(here_words), target(there_words);  // which parameter is which counts
         const BySide<Language> languages{language_of_path(here->file), language_of_path(there->file)};
         const PairTexts texts_of_both{none, source.words(), none, target.words()};
-        const std::vector<std::string> differences = compare_edits(texts_of_both, *dialect_, languages).differences;
+        const std::vector<std::string> differences = compare_edits(texts_of_both, dialect_, languages).differences;
         if (is_of_one_statement(differences))
             tell(pair, word, fmt::format("{} and {} differ in a statement", here->id, there->id));
     }
@@ -154,7 +153,7 @@ void UnlikeNames::tell_members(JudgedPair& pair, const Texts& texts) {
         BySide<std::string> types;
         for (const Side side : kBothSides)
             if (const UnitState* unit = sole_unit(side, type_of(texts.now[side], use.first), true))
-                types[side] = field_type(unit->text.words(), use.second, *dialect_);
+                types[side] = field_type(unit->text.words(), use.second, dialect_);
         if (!types.source.empty() && !types.target.empty() && types.source != types.target)
             tell(pair, use.second,
                  fmt::format("it is {} in the source and {} in the port", types.source, types.target));
@@ -202,9 +201,9 @@ void UnlikeNames::tell_types(JudgedPair& pair, const Texts& texts) {
     };
     const Words source = written(texts.now.source), target = written(texts.now.target);
     const PairTexts said{texts.before.source, texts.now.source, texts.before.target, texts.now.target};
-    if (!compare_edits(said, *dialect_, texts.languages).equivalent) return;
+    if (!compare_edits(said, dialect_, texts.languages).equivalent) return;
     const PairTexts meant{texts.before.source, source, texts.before.target, target};
-    if (compare_edits(meant, *dialect_, texts.languages).equivalent) return;
+    if (compare_edits(meant, dialect_, texts.languages).equivalent) return;
     for (const auto& [word, type] : types) tell(pair, word, "it stands for " + type);
 }
 

@@ -26,8 +26,9 @@ namespace porttool {
 /// stands for another kind.
 class UnlikeNames {
 public:
-    /// Both must outlive it.
-    UnlikeNames(const Case& facts, FindingList& findings) : facts_(facts), findings_(findings), own_names_(facts) {}
+    /// All must outlive it. `dialect`: that of edits.
+    UnlikeNames(const Case& facts, const Dialect& dialect, FindingList& findings)
+        : facts_(facts), findings_(findings), dialect_(dialect), own_names_(facts) {}
 
     /// Adds the findings of a pair whose edits raised no more than notes. `line`: the pair's in the lock, or nullptr.
     void judge(JudgedPair& pair, const LockedPair* line);
@@ -44,10 +45,10 @@ private:
 
     const Case& facts_;
     FindingList& findings_;
+    const Dialect& dialect_;
     OwnNames own_names_;
     std::optional<BySide<std::set<std::string, std::less<>>>> watched_;  ///< units of pairs; filled when first asked
     BySide<std::optional<WordMacros>> words_;                            ///< the same
-    std::optional<Dialect> dialect_;                                     ///< the same
 };
 
 }  // namespace porttool

@@ -148,7 +148,7 @@ private:
         } else {
             add_unpaired(unit, candidate->second);
         }
-        if (const std::string user = file_that_includes(unit.file); !user.empty()) {
+        if (const std::string user = line == nullptr ? file_that_includes(unit.file) : std::string(); !user.empty()) {
             Finding& finding = findings_.from(first).front();
             finding.level = std::min(finding.level, Level::Note);
             finding.message += "; " + user + " includes that file";

@@ -444,7 +444,10 @@ TEST(WeighedEdit, TheSameThingsGetTheSameType) {
                         was,
                         {replaced(was.source, "int n", "size_t n"), replaced(was.target, "int i =", "size_t i =")},
                         told};
-    expect_all({row("both", "size_t", "size_t", {}), row("another one", "size_t", "short", told), other, lone, bound});
+    Weighed cut_off = row("a cast to a type that nothing got", "size_t", "size_t", told);
+    cut_off.now.target = replaced(cut_off.now.target, "x.load(i)", "(int) x.load(i)");
+    expect_all({row("both", "size_t", "size_t", {}), row("another one", "size_t", "short", told), other, lone, bound,
+                cut_off});
 }
 
 TEST(WeighedEdit, BranchesForTheCompilerThatOneSideHas) {
