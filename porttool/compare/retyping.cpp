@@ -29,15 +29,17 @@ std::string number_type(std::string_view word) {
 }
 
 /// The types of numbers that one text has more often than the other.
-std::set<std::string> exchanged_types(const Words& before, const Words& now) {
-    std::map<std::string, long> more;
-    for (const std::string_view word : before) --more[number_type(word)];
-    for (const std::string_view word : now) ++more[number_type(word)];
-    std::set<std::string> out;
-    for (const auto& [type, times] : more)
-        if (times != 0 && !type.empty()) out.insert(type);
-    return out;
-}
+struct ExchangedTypes {
+    std::set<std::string> went, came;
+
+    ExchangedTypes(const Words& before, const Words& now) {
+        std::map<std::string, long> more;
+        for (const std::string_view word : before) --more[number_type(word)];
+        for (const std::string_view word : now) ++more[number_type(word)];
+        for (const auto& [type, times] : more)
+            if (times != 0 && !type.empty()) (times < 0 ? went : came).insert(type);
+    }
+};
 
 /// A text without casts to these types.
 Words without_casts(const Words& words, const std::set<std::string>& types) {
@@ -68,9 +70,9 @@ std::string declared_behind(const Words& words, size_t i) {
 std::optional<std::vector<Retyped>> only_retypes(const Words& before, const Words& now) {
     const Words then = with_one_word_types(before), today = with_one_word_types(now);
     const std::set<std::string>& all = number_types();
-    const std::set<std::string> types = exchanged_types(without_casts(then, all), without_casts(today, all));
-    if (types.empty()) return std::nullopt;
-    const Words old_text = without_casts(then, types), new_text = without_casts(today, types);
+    const ExchangedTypes types(without_casts(then, all), without_casts(today, all));
+    if (types.came.empty()) return std::nullopt;
+    const Words old_text = without_casts(then, types.went), new_text = without_casts(today, types.came);
     if (old_text.size() != new_text.size()) return std::nullopt;
     std::vector<Retyped> out;
     for (size_t i = 0; i < old_text.size(); ++i) {
