@@ -461,6 +461,7 @@ float2 stretched(float2 p, global BoxCl* box) { return p * box->scale * (float)b
 float2 marked(float2 p, global BoxCl* box) { return box->mark.row; }
 float2 noted(float2 p, global BoxCl* box) { return box->mark.row; }
 float2 lacking(float2 p, global BoxCl* box) { return p; }
+float spelled(global char* text) { return text[0]; }
 float plain(float v) { return v * 2.0f; }
 float held(float v) { return v; }
 float summed(float a, float b) { return a + b; }
@@ -475,6 +476,8 @@ inline void stretched(Vec& p, const Box& box) { p = p * box.scale * Vec(box.step
 inline void marked(Vec& p, const Box& box) { p = box.mark.none ? Vec() : box.mark.row; }
 inline void noted(Vec& p, const Box& box) { p = box.mark.row; if (box.mark.none) p = box.mark.row; }
 inline void lacking(Vec& p, const Box& box) { p.x += box.only_here; }
+static int spelled_texts = 0;
+float spelled(const char* text) { return text[0] + spelled_texts++; }
 float summed(float& a, float& b) { return a + b; }
 float grown(float& a, float& b) { a += b; return a; }
 )",
@@ -493,6 +496,8 @@ float grown(float& a, float& b) { a += b; return a; }
     EXPECT_EQ(pair_of(pairs, "fog")["reason"], "source: unknown helper LAYERS_OF");
     EXPECT_EQ(pair_of(pairs, "window")["reason"], "source: the preprocessor leaves it out") << "what a compiler says";
     EXPECT_EQ(pair_of(pairs, "held")["reason"], "a member function of Shape") << "it reads a field";
+    EXPECT_EQ(pair_of(pairs, "spelled")["reason"], "binding spelled_texts")
+        << "what no tool could run, before a string";
     for (const char* name : {"lacking", "grown"})
         EXPECT_EQ(pair_of(pairs, name)["state"], "not_run") << pair_of(pairs, name).dump(1);
 }
@@ -529,6 +534,7 @@ float heaviest(const item *i) { return i->next ? i->next->weight : i->weight; }
 void reset(item *i, item *other) { i->next = other->next; i->weight = 0; }
 float block_sum(const void *data, int n) { const pairing *p = (const pairing *)data; return p[n].first + p[n].second; }
 int bytes(const unsigned char *data, int n) { return data[n] * 3; }
+int logged(FILE *f, int n) { fprintf(f, "%d", n); return n; }
 int again(int n) { return n < 1 || n > 9 ? 1 : n * again(n - 1); }
 )";
 
@@ -539,6 +545,7 @@ TEST_F(Difftest, RunsOldCAndFollowsPointersOfStructs) {
                                            "heaviest", "block_sum", "bytes",   "reset", "again",     "turned"};
     nlohmann::json pairs = run_on("a.c", kOldC, "b.c", kOldC, {"--inputs", "600", "--ulps", "0"});
     for (const std::string& name : same) EXPECT_EQ(pair_of(pairs, name)["state"], "same") << pair_of(pairs, name);
+    EXPECT_EQ(pair_of(pairs, "logged")["reason"], "input and output: f");
     EXPECT_EQ(pair_of(pairs, "counts")["reason"], "binding counted") << "it stands behind another one's value";
     EXPECT_EQ(pair_of(pairs, "entry")["reason"], "arrays of at most 64 elements");
     // Each with another text on one side: what is drawn is looked at.
