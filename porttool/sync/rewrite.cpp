@@ -129,6 +129,10 @@ private:
             const std::string& last = target_.words.words[before];
             if (is_bracketed(last, one.words.front().text))
                 return stands_apart_there(last, one.words.front().text) ? " " : "";
+            // Behind the port's own argument a new one stands as others do there, whatever the source has before it.
+            const bool is_first_in_source =
+                last == "," && one.source_first > 0 && source_.words.words[one.source_first - 1] != ",";
+            if (is_first_in_source) return stands_apart_there(last, one.words.front().text) ? " " : "";
             const std::string there = source_gap(one.source_first);
             const std::string& first = one.words.front().text;
             if (!there.empty()) return first == "." || first == "->" || first == "::" || first == "[" ? "" : " ";

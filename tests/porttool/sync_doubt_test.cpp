@@ -229,5 +229,14 @@ TEST_F(SyncDoubt, ABlockOfThePortsOwnIsNotEmptied) {
     EXPECT_NE(got["state"], "proposed") << got.dump(1);
 }
 
+TEST_F(SyncDoubt, ANewArgumentStandsBehindThePortsOwnAsOthersDo) {
+    const auto file = [](const std::string& own, const std::string& more, const std::string& comma) {
+        return "void run(" + own + "int n, int repeat) {\n  int seen = 0;\n  step<int>(" +
+               (own.empty() ? "" : "q" + comma) + more + "repeat" + comma + "seen);\n}\n";
+    };
+    start("k.cu", file("", "", ", "), "k.cpp", file("queue& q, ", "", ", "));
+    expect_written(file("", "n, ", ", "), file("queue& q, ", "n, ", ", "));
+}
+
 }  // namespace sync_doubt_test
 }  // namespace porttool::testing
