@@ -9,9 +9,12 @@
 #include "porttool/judge/brought_in.h"
 #include "porttool/judge/evidence.h"
 #include "porttool/read/clock.h"
+#include "porttool/read/git_repository.h"
+#include "porttool/read/source_glob.h"
 #include "porttool/scan/scan.h"
 #include "porttool/snapshot/folder_of_base.h"
 #include "porttool/snapshot/lock_store.h"
+#include "porttool/text/sink/shell.h"
 #include "porttool/text/sink/terminal.h"
 
 namespace porttool {
@@ -162,6 +165,26 @@ void note_missing_texts(const CheckedProject& checked, Workplace& place) {
         place.err << told(missing_texts(checked.project, checked.disk(), checked.lock));
 }
 
+/// Files of the sides that a sparse checkout leaves out look as if somebody had removed them.
+void note_left_out(const CheckedProject& checked, Workplace& place) {
+    const auto& pairs = checked.judgement.pairs;
+    const bool is_whole = std::all_of(pairs.begin(), pairs.end(), [](const JudgedPair& pair) {
+        return pair.unit.source != nullptr && pair.unit.target != nullptr;
+    });
+    if (is_whole) return;
+    const Project& project = checked.project;
+    SideGlobs sides(project.map.source);
+    if (project.map.target_root.empty()) sides.add(project.map.target);
+    std::vector<std::string> out;
+    for (const std::string& file : GitRepository(project.root).left_out_of(""))
+        if (sides.takes(file) && !place.disk.exists(join_path(project.root, file))) out.push_back(file);
+    if (out.empty()) return;
+    place.err << "warning: " << out.size() << " files of the sides (the first is " << terminal_text(out.front())
+              << ") are not here, as this is a sparse checkout, and count as gone; to have them, run: "
+                 "git sparse-checkout add "
+              << terminal_text(shell_word(out.front().substr(0, out.front().find('/')))) << "\n";
+}
+
 /// A unit that was followed to where its text stands now is watched there, and no longer where it was.
 void list_moved(const Judgement& judgement, std::vector<BroughtIn>& out) {
     for (const JudgedPair& pair : judgement.pairs)
@@ -214,6 +237,7 @@ CheckedProject check_project(const CheckChoice& choice, Workplace& place, const 
     const SameCode same_code = same_code_in ? same_code_in(checked) : SameCode();
     judge_it(checked, today(), checked.project.skipped, same_code);
     if (!choice.run_evidence.empty()) judge_with_evidence(checked, choice.run_evidence, same_code, place);
+    if (!choice.staged) note_left_out(checked, place);
     if (!choice.base.empty()) list_moved(checked.judgement, brought);
     if (choice.base.empty() && !checked.recorded) checked.judgement.findings.clear();
     checked.judgement.brought_in = std::move(brought);

@@ -237,9 +237,9 @@ std::set<std::string> GitRepository::left_out_of(const std::string& folder_of_na
     git_index* index = nullptr;
     if (!error_.empty() || git_repository_index(&index, handle_->repository()) != 0) return out;
     const Index owner(index);
-    const std::string before = folder() + folder_of_names + "/";
+    const std::string before = folder() + (folder_of_names.empty() ? "" : folder_of_names + "/");
     size_t i = 0;
-    if (git_index_find_prefix(&i, index, before.c_str()) != 0) return out;
+    if (!before.empty() && git_index_find_prefix(&i, index, before.c_str()) != 0) return out;
     for (; i < git_index_entrycount(index); ++i) {
         const git_index_entry& entry = *git_index_get_byindex(index, i);
         const std::string_view path = entry.path;

@@ -103,7 +103,8 @@ public:
     /// True if the file stands in the work tree and in the index as HEAD has it.
     bool is_as_committed(const std::string& path) const;
 
-    /// The names of the files of a folder that a sparse checkout leaves out of the work tree.
+    /// The files below a folder ("" for the root), by their paths in it, that a sparse checkout leaves out of the work
+    /// tree.
     std::set<std::string> left_out_of(const std::string& folder) const;
     /// What a file of an unfinished merge was where both sides come from, "" where it was not there; none where the
     /// index knows of no merge over it.

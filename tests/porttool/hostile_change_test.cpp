@@ -574,6 +574,19 @@ TEST_F(HostileChange, TextsThatASparseCheckoutLeavesOutAreNoneThatTheChangeRemov
     git("sparse-checkout set src port && git sparse-checkout add portmap.base");
     EXPECT_EQ(all_of({}).err, "") << "the command that is told";
     git("sparse-checkout disable");
+    // So do files of the sides; what is gone without one is not told so.
+    git("sparse-checkout set src portmap.base");
+    const CommandRun half = all_of({});
+    EXPECT_NE(half.err.find("warning: 1 files of the sides (the first is port/k.cpp) are not here, as this is a sparse "
+                            "checkout, and count as gone; to have them, run: git sparse-checkout add port\n"),
+              std::string::npos)
+        << half.err;
+    git("sparse-checkout add port");
+    EXPECT_EQ(all_of({}).err, "") << "the command that is told";
+    git("sparse-checkout disable");
+    fs::remove(root / "port/k.cpp");
+    EXPECT_EQ(all_of({}).err.find("sparse"), std::string::npos);
+    git("checkout -q -- port");
     // One that the change removed is gone, in a sparse checkout as well.
     fs::remove(root / "portmap.base" /
                read_lock(read_text(root / "portmap.lock")).lock.pairs[0].source_prints.written.text());
