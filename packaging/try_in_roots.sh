@@ -91,7 +91,7 @@ try_root() {
     git_there add -A
     git_there commit -qm start
     hand_over
-    shader '(0.5)' >"$root/trial/glsl/k.comp"
+    shader '(0.25 + 0.25)' >"$root/trial/glsl/k.comp"
     expect 1 check --strict
     expect 0 check --strict --spirv
     shader 0.5 >"$root/trial/glsl/k.comp"
