@@ -239,9 +239,11 @@ private:
             const size_t name = text_[i] == "std" && word(i + 1) == "::" ? i + 2 : i;
             const bool is_call = name < end && is_word_token(word(name)) && word(name + 1) == "(" &&
                                  (i == first || !is_one_of(text_[i - 1], {".", "->", "::"}));
-            const size_t behind = is_call ? call(name, out) : i;
-            if (behind == i) out.emplace_back(text_[i]);
-            i = std::max(behind, i + 1);
+            if (!is_call) {
+                out.emplace_back(text_[i++]);
+                continue;
+            }
+            i = call(i, name, out);
         }
         return out;
     }
@@ -271,18 +273,24 @@ private:
         return false;
     }
 
-    /// A call of a built-in that is written otherwise; gives the place behind it, or `name` less its scope.
-    size_t call(size_t name, ChoiceText& out) {
+    /// A call, of a built-in perhaps that is written otherwise; gives the place behind it. What it is given is looked
+    /// at once, since it may hold calls in turn.
+    size_t call(size_t first, size_t name, ChoiceText& out) {
         const size_t end = closing_[name + 1];
         std::vector<ChoiceText> given;
         for (size_t at = name + 2; at < end;) {
-            const size_t stop = find_at_level(at, end, {","});
+            const size_t stop = find_at_level(at, end, {",", ";"});
             given.push_back(expression(at, stop));
+            if (stop < end && text_[stop] == ";") given.back().emplace_back(";");
             at = stop + 1;
         }
         const ChoiceText said = built_in(text_[name], given, name);
-        if (said.empty()) return name >= 2 && text_[name - 1] == "::" && text_[name - 2] == "std" ? name - 2 : name;
-        append(out, said);
+        if (said.empty()) {
+            append(out, as_written(first, name));
+            append(out, call_of(text_[name], given));
+        } else {
+            append(out, said);
+        }
         return end + 1;
     }
 
@@ -305,10 +313,10 @@ private:
         return {};
     }
 
-    static ChoiceText call_of(const char* name, const std::vector<ChoiceText>& given) {
-        ChoiceText out = {name, "("};
+    static ChoiceText call_of(std::string_view name, const std::vector<ChoiceText>& given) {
+        ChoiceText out = {std::string(name), "("};
         for (size_t i = 0; i < given.size(); ++i) {
-            if (i > 0) out.emplace_back(",");
+            if (i > 0 && out.back() != ";") out.emplace_back(",");
             append(out, given[i]);
         }
         out.emplace_back(")");
@@ -458,18 +466,21 @@ private:
         if (close >= end || b == open + 1 || b >= close || text_[b] != "-") return {};
         const size_t c = behind_operand(b + 1, close);
         if (c != close) return {};
-        const ChoiceText of_a = operand(first, a), second = operand(b + 1, c);
         if (text_[a] == "+") {
-            const size_t t = close + 2 <= end && text_[close + 1] == "*" ? behind_operand(close + 2, end) : end + 1;
-            if (t != end || second != of_a) return {};
-            return mix_of(of_a, operand(open + 1, b), operand(close + 2, t));
+            const size_t t = close + 2 <= end && word(close + 1) == "*" ? behind_operand(close + 2, end) : end + 1;
+            if (t != end || !is_said_twice(first, a, b + 1, c)) return {};
+            return mix_of(operand(first, a), operand(open + 1, b), operand(close + 2, t));
         }
         if (text_[a] != "*" || !is_one(open + 1) || b != open + 2 || word(close + 1) != "+") return {};
         const size_t d = behind_operand(close + 2, end);
         if (d == close + 2 || d >= end || text_[d] != "*") return {};
         const size_t t = behind_operand(d + 1, end);
-        if (t != end || operand(d + 1, t) != second) return {};
-        return mix_of(of_a, operand(close + 2, d), second);
+        if (t != end || !is_said_twice(b + 1, c, d + 1, t)) return {};
+        return mix_of(operand(first, a), operand(close + 2, d), operand(b + 1, c));
+    }
+
+    bool is_said_twice(size_t first, size_t end, size_t again, size_t end_again) const {
+        return as_written(first, end) == as_written(again, end_again);
     }
 
     /// `p . x * q . x + p . y * q . y + p . z * q . z` of two vectors of three parts; "" for anything else.

@@ -327,6 +327,22 @@ TEST(KindsAndSpellings, ChoicesAndLimitsInAnotherManner) {
                 {"total = clamp(total, 0.0#, 1.0#);", "total = max(min(total, 0.0#), 1.0#);", Said::Told}});
 }
 
+TEST(KindsAndSpellings, CallsWithinEachOtherTakeNoTimeInTheirNumber) {
+    const auto nested = [](const std::string& open, const std::string& inner, const std::string& close) {
+        constexpr int kDeep = 40;
+        std::string out = inner;
+        for (int i = 0; i < kDeep; ++i) out = open + out + close;
+        return "total = " + out + ";";
+    };
+    for (const auto& [open, close] : std::vector<std::pair<std::string, std::string>>{{"sqrt(", ")"},
+                                                                                      {"own(", ", k)"},
+                                                                                      {"max(", ", k, n)"},
+                                                                                      {"(", ") + (bias - gain)"},
+                                                                                      {"gain + (bias - (", "))"}})
+        expect_said(loudest(numbers(kGlsl, nested(open, "gain", close), nested(open, "bias", close))), Said::Told,
+                    open);
+}
+
 TEST(KindsAndSpellings, ADotProductWrittenOut) {
     const std::string there = "float f(float3 p, float3 q, float2 r, float a) {\n  float s = p.x * a;\n",
                       here = "__device__ " + there, end = "  return s + q.y * r.x;\n}\n";
