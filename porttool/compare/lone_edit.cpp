@@ -138,9 +138,27 @@ Words single_declarations(const Words& prelude) {
     return {block.begin() + 1, block.end() - 1};
 }
 
-/// What a prelude says: how it declares each variable, in plain words and as written, and what stands for itself.
+/// What a prelude says: how it declares each variable, in plain words and as written, and what stands for itself. A
+/// file may declare a variable more than once.
 struct Prelude {
-    std::map<std::string, Statement> declared, said;
+    std::map<std::string, std::map<std::string, Statement>> declared;  ///< by the name, then by what is said
+    std::map<std::string, Statement> said;
+    std::map<std::string, std::string> group_sizes;  ///< of all `layout(...) in`, each part with how it is written
+
+    /// Takes the words of `layout ( local_size_x = 64 local_size_y = 1 ) in` apart; sizes of 1 are those of none.
+    bool takes_group_sizes(const Statement& statement) {
+        const std::vector<std::string>& words = statement.common;
+        if (words.size() < 5 || words[0] != "layout" || words[1] != "(" || words[words.size() - 2] != ")" ||
+            words.back() != "in")
+            return false;
+        for (size_t i = 2, end = words.size() - 2; i < end;) {
+            std::string part = words[i++];
+            const bool is_size = part.starts_with("local_size_") && !part.ends_with("_id");
+            while (i < end && (words[i] == "=" || words[i - 1] == "=")) part += " " + words[i++];
+            if (!is_size || !part.ends_with(" = 1")) group_sizes.emplace(std::move(part), statement.shown);
+        }
+        return true;
+    }
 };
 
 Prelude read_prelude(const Words& text, const PlainStatements& plain) {
@@ -164,30 +182,42 @@ Prelude read_prelude(const Words& text, const PlainStatements& plain) {
             out.said.emplace(std::move(key), std::move(statement));
             continue;
         }
+        if (out.takes_group_sizes(statement)) continue;
         size_t name = words.size();
         for (size_t i = 0; i < words.size() && words[i] != "["; ++i)
             if (is_word_token(words[i])) name = i;
         if (name == words.size()) continue;
-        std::string key = words[name];
-        out.declared.emplace(std::move(key), std::move(statement));
+        auto& of_name = out.declared[words[name]];
+        std::string key = statement.key;
+        of_name.emplace(std::move(key), std::move(statement));
     }
     return out;
+}
+
+/// Adds what one of two tables has and the other lacks, as it is written.
+template <class Table, class Shown>
+void add_lacking(const Table& here, const Table& there, const Shown& shown, std::vector<std::string>& out) {
+    for (const auto& [key, value] : here)
+        if (const std::string& text = shown(value); !there.contains(key) && (out.empty() || out.back() != text))
+            out.push_back(text);
 }
 
 /// Adds the variables that both texts use and that are declared otherwise now. One that only one text uses came or
 /// went with a statement. What a file says of the function itself, or of how it is compiled, is all there is.
 void add_changed_declarations(const Words& before, const Words& now, const PlainStatements& plain, Edit& edit) {
+    const auto shown = [](const Statement& statement) -> const std::string& { return statement.shown; };
+    const auto as_it_is = [](const std::string& text) -> const std::string& { return text; };
     const Prelude old_one = read_prelude(before, plain), new_one = read_prelude(now, plain);
     for (const auto& [name, declared] : old_one.declared) {
         const auto found = new_one.declared.find(name);
-        if (found == new_one.declared.end() || found->second.key == declared.key) continue;
-        edit.lost.push_back(declared.shown);
-        edit.gained.push_back(found->second.shown);
+        if (found == new_one.declared.end()) continue;
+        add_lacking(declared, found->second, shown, edit.lost);
+        add_lacking(found->second, declared, shown, edit.gained);
     }
-    for (const auto& [key, said] : old_one.said)
-        if (!new_one.said.contains(key)) edit.lost.push_back(said.shown);
-    for (const auto& [key, said] : new_one.said)
-        if (!old_one.said.contains(key)) edit.gained.push_back(said.shown);
+    add_lacking(old_one.group_sizes, new_one.group_sizes, as_it_is, edit.lost);
+    add_lacking(new_one.group_sizes, old_one.group_sizes, as_it_is, edit.gained);
+    add_lacking(old_one.said, new_one.said, shown, edit.lost);
+    add_lacking(new_one.said, old_one.said, shown, edit.gained);
 }
 
 /// `float a, b[4]`: numbers that nothing is done to here.
@@ -318,9 +348,14 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
 std::vector<std::string> declaration_changes(const Words& before, const Words& now, const PlainStatements& plain) {
     const Prelude old_one = read_prelude(before, plain), new_one = read_prelude(now, plain);
     std::vector<std::string> out;
-    const auto add = [&](const Statement& from, const Statement& without, const char* sign) {
-        std::vector<std::string> left = without.common;
-        for (const std::string& word : from.common) {
+    const auto words_lacking = [](const auto& here, const auto& there) {
+        std::vector<std::string> words;
+        for (const auto& [key, statement] : here)
+            if (!there.contains(key)) words.insert(words.end(), statement.common.begin(), statement.common.end());
+        return words;
+    };
+    const auto add = [&](const std::vector<std::string>& from, std::vector<std::string> left, const char* sign) {
+        for (const std::string& word : from) {
             const auto same = std::find(left.begin(), left.end(), word);
             if (same == left.end())
                 out.push_back(sign + word);
@@ -330,10 +365,15 @@ std::vector<std::string> declaration_changes(const Words& before, const Words& n
     };
     for (const auto& [name, declared] : old_one.declared) {
         const auto found = new_one.declared.find(name);
-        if (found == new_one.declared.end() || found->second.key == declared.key) continue;
-        add(declared, found->second, "- ");
-        add(found->second, declared, "+ ");
+        if (found == new_one.declared.end()) continue;
+        const auto lost = words_lacking(declared, found->second), gained = words_lacking(found->second, declared);
+        add(lost, gained, "- ");
+        add(gained, lost, "+ ");
     }
+    for (const auto& [part, shown] : old_one.group_sizes)
+        if (!new_one.group_sizes.contains(part)) out.push_back("- " + part);
+    for (const auto& [part, shown] : new_one.group_sizes)
+        if (!old_one.group_sizes.contains(part)) out.push_back("+ " + part);
     for (const auto& [key, said] : old_one.said)
         if (!new_one.said.contains(key)) out.push_back("- " + what_it_says(said));
     for (const auto& [key, said] : new_one.said)
