@@ -21,8 +21,8 @@ DeclaredOption& DeclaredOption::one_at_a_time() {
     return *this;
 }
 
-DeclaredOption& DeclaredOption::some_revision() {
-    option_.check([](const std::string& text) { return text.empty() ? "expected a revision" : ""; });
+DeclaredOption& DeclaredOption::not_empty(const char* what) {
+    option_.check([what](const std::string& text) { return text.empty() ? std::string("expected ") + what : ""; });
     return *this;
 }
 

@@ -20,8 +20,8 @@ public:
     DeclaredOption& exactly(int values);
     /// One value each time that the option is given.
     DeclaredOption& one_at_a_time();
-    /// A revision that may not be empty, as an unset variable of CI would make it.
-    DeclaredOption& some_revision();
+    /// May not be empty, as an unset variable of CI would make it. `what`: that is expected, "a revision"; it outlives.
+    DeclaredOption& not_empty(const char* what);
 
 private:
     CLI::Option& option_;

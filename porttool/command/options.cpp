@@ -15,11 +15,13 @@ namespace {
 /// Options that stand before the subcommand or after it.
 void declare_common(Declare declare, Options& options) {
     declare.text("-C", options.directory, "DIR", "Run as if started in this folder");
-    declare.text("--config", options.config, "FILE", "The map to use instead of the nearest portmap.toml");
+    declare.text("--config", options.config, "FILE", "The map to use instead of the nearest portmap.toml")
+        .not_empty("a file");
     declare.text("--format", options.format, "FORMAT",
                  "How to print: text, json; check also sarif, junit, github, gitlab, markdown, html; report also html, "
                  "markdown, csv; history also html, csv; effort also toml; audit also html, markdown");
-    declare.text("-o,--output", options.output, "FILE", "Write there instead of to stdout; - is stdout");
+    declare.text("-o,--output", options.output, "FILE", "Write there instead of to stdout; - is stdout")
+        .not_empty("a file; - is stdout");
     declare.choice("--color", options.color, {"auto", "always", "never"}, "auto, always or never");
     declare.flag("-q,--quiet", options.quiet, "Print results only");
     declare.flag("-v,--verbose", options.verbose, "Say more on stderr");

@@ -124,7 +124,7 @@ std::string formatted(const WholeReport& whole, const Options& options, const Pr
 
 void declare_report(Declare& declare, Options& options) {
     declare.text("--base", options.base, "REV", "Show each figure with its change against merge-base(REV, HEAD)")
-        .some_revision();
+        .not_empty("a revision");
     declare.texts("--bench", options.bench, "FILE[=MRAYS]", "Speed of one platform, for performance portability")
         .one_at_a_time();
     declare

@@ -102,7 +102,7 @@ void declare_sync(Declare& declare, Options& options) {
     declare.texts("id", options.paths, "ID", "Id of either side, SOURCE=TARGET, or a finding's fingerprint");
     declare.flag("--all", options.all, "Every pair that is out of step, as without any id");
     declare.text("--base", options.base, "REV", "Hold against merge-base(REV, HEAD) in place of the lock")
-        .some_revision();
+        .not_empty("a revision");
     declare.flag("--staged", options.staged, "Take the index in place of the work tree");
     declare.choice("--to", options.to_side, {"source", "target"}, "The side that is written, whichever changed");
     declare.flag("--apply", options.apply, "Write what is proposed into the work tree: all files or none");

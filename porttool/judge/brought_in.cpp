@@ -106,6 +106,24 @@ private:
             add(part_of(entry->verdict), kLock, entry->line,
                 entry->source + (entry->target.empty() ? "" : " = " + entry->target) + ": " + entry->reason +
                     (entry->verdict == Verdict::Defer ? " (" + entry->owner + ", until " + entry->until + ")" : ""));
+        compare_gone_verdicts();
+    }
+
+    /// Records that are gone, where the pair was not recorded anew, which is what takes one away.
+    void compare_gone_verdicts() {
+        const LinesByPair before(before_.lock), now(now_.lock);
+        std::set<std::tuple<Verdict, std::string_view, std::string_view>> kept;
+        for (const LedgerEntry& entry : now_.lock.ledger) kept.insert({entry.verdict, entry.source, entry.target});
+        for (const LedgerEntry& entry : before_.lock.ledger) {
+            if (kept.contains({entry.verdict, entry.source, entry.target})) continue;
+            const LockedPair *was = before.find(entry.source, entry.target), *is = now.find(entry.source, entry.target);
+            const bool anew = was != nullptr && (is == nullptr || was->source_prints != is->source_prints ||
+                                                 was->target_prints != is->target_prints);
+            if (!anew)
+                add(part_of(entry.verdict), kLock, 1,
+                    "no longer: " + entry.source + (entry.target.empty() ? "" : " = " + entry.target) + ": " +
+                        entry.reason);
+        }
     }
 
     /// Lines of pairs that are new or have changed, and those that are gone while the map still has the pair.

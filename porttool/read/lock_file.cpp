@@ -100,7 +100,8 @@ struct MisreadField {
 Print print_of(std::string_view field, bool may_be_unknown) {
     const Print print = Print::read(field);
     if (print.is_known() || (may_be_unknown && field == "-")) return print;
-    throw MisreadField{"'" + beginning(field) + "' is no fingerprint, which has 16 hexadecimal digits"};
+    throw MisreadField{"'" + beginning(field) +
+                       "' is no fingerprint, which has 16 hexadecimal digits, not all of them 0"};
 }
 
 Fingerprints prints_of(const Fields& f, size_t at, bool may_be_unknown = false) {

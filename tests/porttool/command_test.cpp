@@ -102,6 +102,16 @@ TEST(Command, AnUnknownOptionIsToldWithTheNearestOfItsCommand) {
     }
 }
 
+TEST(Command, AnEmptyFileIsNoneAtAll) {  // as an unset variable of CI makes it
+    MemoryDisk disk;
+    for (const std::string option : {"-o", "--output", "--config"}) {
+        const CommandRun got = run(disk, {"check", option, ""});
+        EXPECT_EQ(got.exit_code, 2);
+        EXPECT_NE(got.err.find("expected a file"), std::string::npos) << got.err;
+        EXPECT_EQ(got.out, "");
+    }
+}
+
 TEST(Command, AnOptionWithoutACommandIsTold) {
     MemoryDisk disk;
     const CommandRun got = run(disk, {"--nope"});

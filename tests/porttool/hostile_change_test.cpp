@@ -507,6 +507,28 @@ TEST_F(HostileChange, ALockLineThatGoesIsListed) {
     EXPECT_EQ(got["brought_in"][0]["text"], "the lock is gone");
 }
 
+TEST_F(HostileChange, AnAcceptThatGoesWithItsReasonIsListed) {
+    write("src/k.cu", replaced(kSource, "2.0f", "2.5f"));
+    ASSERT_EQ(porttool({"accept", "src/k.cu:f", "--reason", "the port is right"}).exit_code, 0);
+    commit("accepted", 2);
+    git("checkout -q -b feature");
+    const auto listed = [&] {
+        return nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out)["brought_in"];
+    };
+    EXPECT_EQ(listed().size(), 0u);
+    LockFile lock = read_lock(read_text(root / "portmap.lock")).lock;
+    ASSERT_EQ(lock.ledger.size(), 1u);
+    lock.ledger.clear();
+    write("portmap.lock", lock_text(lock));
+    ASSERT_EQ(listed().size(), 1u);
+    EXPECT_EQ(listed()[0]["kind"], "accept");
+    EXPECT_EQ(listed()[0]["text"], "no longer: src/k.cu:f = port/k.cpp:f: the port is right");
+    // What records the pair anew takes the reason away: the pair's own row says that.
+    write("src/k.cu", replaced(kSource, "2.0f", "4.5f"));
+    ASSERT_EQ(porttool({"accept", "src/k.cu:f", "--force"}).exit_code, 0);
+    for (const auto& row : listed()) EXPECT_FALSE(row["text"].get<std::string>().starts_with("no longer")) << row;
+}
+
 // GCC joins lines behind a backslash with blanks (with a warning), C++14 behind its trigraph; others do not.
 TEST_F(HostileChange, CodeIsNotHiddenInWhatOnlySomeCompilersTakeForAComment) {
     for (const char* comment : {"    // see the paper \\ \n", "    // see the paper \\\t \n", "    // what\?\?/\n",
