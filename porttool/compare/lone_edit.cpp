@@ -177,7 +177,8 @@ Prelude read_prelude(const Words& text, const PlainStatements& plain) {
     for (Statement& statement : split_statements(declarations, translator)) {
         const std::vector<std::string>& words = statement.common;
         if (words.empty()) continue;
-        if (words[0] == "#" || words[0] == "default" || words[0] == "template") {
+        const bool lays_out_all = words[0] == "layout" && is_one_of(words.back(), {"out", "uniform", "buffer"});
+        if (is_one_of(words[0], {"#", "default", "template"}) || words.back() == "@" || lays_out_all) {
             std::string key = statement.key;
             out.said.emplace(std::move(key), std::move(statement));
             continue;
@@ -295,7 +296,7 @@ bool splits_declarations(const Words& before, const Words& now, const Translator
 /// Without what differs between languages: of defaults their values, of an instantiation its arguments.
 std::string what_it_says(const Statement& said) {
     std::string out = said.common[0];
-    bool counts = said.common[0] == "#";
+    bool counts = is_one_of(said.common[0], {"#", "layout"}) || said.common.back() == "@";
     for (size_t i = 1; i < said.common.size(); ++i) {
         const std::string& word = said.common[i];
         if (said.common[0] == "template" && (word == "<" || word == ">")) counts = word == "<";

@@ -103,17 +103,22 @@ void write_prelude(const ScannedFile& file, const Unit& unit, const std::vector<
         const bool is_pragma = lexed.view(said.tokens.first) == "#";
         if (said.tokens.first < last && said.name == Said::kNoName) continue;  // two names of one declaration
         last = said.tokens.end;
-        if (said.of_function && lexed.view(said.tokens.first) != "template") sink("default");
+        const std::string_view first = lexed.view(said.tokens.first);
+        const bool is_default = said.of_function && first == name;
+        const bool is_attribute = said.of_function && !is_default && first != "template";
+        if (is_default) sink("default");
         for (uint32_t i = said.tokens.first; i < said.tokens.end; ++i) {
             const Token& token = lexed.tokens[i];
             if ((token.flags & (is_pragma ? kDead : kDead | kInDirective)) != 0) continue;
-            if (token.kind == TokenKind::String || token.kind == TokenKind::Character) continue;
+            const bool is_text = token.kind == TokenKind::String || token.kind == TokenKind::Character;
+            if (is_text && !is_attribute && !is_pragma) continue;
             if (lexed.view(token).find_first_of("\x01\x02") != std::string_view::npos) continue;  // not as recorded
             if (token.kind == TokenKind::Number)
                 sink(normal_number(lexed.view(token)));
             else
                 sink(said.of_function && lexed.view(token) == name ? std::string_view("@") : lexed.view(token));
         }
+        if (is_attribute) sink("@");
         if (said.name != Said::kNoName) sink(lexed.view(said.name));
         sink(";");
     }

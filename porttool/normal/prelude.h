@@ -17,7 +17,7 @@ namespace porttool {
 ///
 /// A struct has the `#pragma pack` that holds for it. What a file says of the function itself comes with a word before
 /// it: `default @ ( float x , float s = 2f )`, `template void @ < float > ( float * )`, `# pragma STDC FP_CONTRACT
-/// OFF`.
+/// OFF`; attributes with its name behind: `__attribute__ ( ( weak ) ) @`.
 ///
 /// `places`: what declaring_tokens() gave; a local of the same name is another variable.
 void write_prelude(const ScannedFile& file, const Unit& unit, const std::vector<uint32_t>& places,

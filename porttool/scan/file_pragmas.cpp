@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "porttool/language/words.h"
+
 namespace porttool {
 namespace {
 
@@ -31,6 +33,8 @@ public:
             if (word(directive, 1) != "pragma" || (lexed_.tokens[first].flags & kDead) != 0 || in_body(first)) continue;
             if (word(directive, 2) == "pack")
                 read_pack(directive);
+            else if (word(directive, 2) == "clang" && word(directive, 3) == "attribute")
+                read_attribute(directive);
             else if (const std::string subject = arithmetic(directive); !subject.empty())
                 read_arithmetic(directive, subject);
             else if (word(directive, 2) == "GCC" && is_any(word(directive, 3), {"pop_options", "reset_options"}))
@@ -81,6 +85,28 @@ private:
         begin(subject, {directive.first_token, directive.end_token}, directive.first_token);
     }
 
+    /// `#pragma clang attribute push(__attribute__((weak)), apply_to = function)`, within each other
+    void read_attribute(const Directive& directive) {
+        const auto subject = [&] { return "clang attribute " + std::to_string(attributes_); };
+        if (word(directive, 4) == "pop" && attributes_ > 0) {
+            finish(subject(), directive.first_token);
+            --attributes_;
+        } else if (word(directive, 4) == "push") {
+            ++attributes_;
+            if (!is_idle_attribute(directive)) read_arithmetic(directive, subject());
+        }
+    }
+
+    /// True if the attribute that it pushes only says how functions are linked or inlined, or what is warned of.
+    bool is_idle_attribute(const Directive& directive) const {
+        for (uint32_t i = 5; !word(directive, i).empty(); ++i) {
+            const bool is_name = lexed_.tokens[directive.first_token + i].kind == TokenKind::Identifier;
+            if (is_name && word(directive, i) != "__attribute__" && word(directive, i + 1) != "::")
+                return word_is(word(directive, i), kIdleAttribute);
+        }
+        return false;
+    }
+
     void read_pack(const Directive& directive) {
         const bool is_pop = word(directive, 4) == "pop", is_push = word(directive, 4) == "push";
         const auto open = open_.find(kPack);
@@ -103,6 +129,7 @@ private:
     std::vector<FilePragma> out_;
     std::map<std::string, size_t> open_;  ///< what holds, by what it is about
     std::vector<TokenRange> packs_;       ///< what a pop brings back
+    size_t attributes_ = 0;               ///< pushed and not popped
 };
 
 }  // namespace

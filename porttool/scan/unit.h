@@ -41,9 +41,10 @@ struct Unit {
 };
 
 /// A variable that a file declares outside of units, and how: the words before its value. A GLSL block of variables
-/// counts for its instance, or for each of its members; the sizes of a GLSL kernel's groups are those of `layout`.
+/// counts for its instance, or for each of its members; what a GLSL file lays out without a name, as the sizes of
+/// a kernel's groups, is that of `layout`.
 /// Also what a file says beside it of a variable (`threadprivate`), and of a function apart from its definition:
-/// defaults of its arguments, explicit instantiations.
+/// defaults of its arguments, attributes, explicit instantiations.
 struct FileVariable {
     enum About : uint8_t { Declares, Says, SaysOfFunction };
     uint32_t name_token = 0;

@@ -3,6 +3,7 @@
 #include "porttool/scan/variables.h"
 
 #include "porttool/language/words.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
@@ -20,17 +21,18 @@ public:
         uint32_t at = first, words = 0;
         for (; at < end && word(at) != "=" && word(at) != "{"; at = next(at, end)) {
             if (word(at) == "(" && (at == first || !word_is(word(at - 1), kTakesArguments)))
-                return read_defaults(first, at, end);
+                return read_declaration(first, at, end);
             if (!is_name(at)) continue;
             ++words;
             const std::string_view after = at + 1 < end ? word(at + 1) : ";";
             const bool ends = after == ";" || after == "=" || after == "[" || after == "," || after == "{";
             if (ends && words > 1 && !is_type_word(word(at))) names.push_back(at);
         }
-        const bool group_size = word(first) == "layout" && words == 2 && names.size() == 1 && word(names[0]) == "in";
+        const bool layout_alone = word(first) == "layout" && words == 2 && names.size() == 1 &&
+                                  is_one_of(word(names[0]), {"in", "out", "uniform", "buffer"});
         const bool forward = words == 2 && word_is(word(first), kOpensType);
         if (forward) return;
-        for (const uint32_t name : names) add(group_size ? first : name, first, at);
+        for (const uint32_t name : names) add(layout_alone ? first : name, first, at);
     }
 
     void read_member(uint32_t first, uint32_t end) {
@@ -38,7 +40,7 @@ public:
         if (first >= end || end - first > kLongest) return;
         for (uint32_t at = first; at < end && word(at) != "="; at = next(at, end))
             if (word(at) == "(" && at > first && !word_is(word(at - 1), kTakesArguments))
-                return read_defaults(first, at, end);
+                return read_declaration(first, at, end);
     }
 
     void read_block(BlockPlace place) {
@@ -52,13 +54,51 @@ public:
     }
 
 private:
-    /// `float f(float x, float s = 2.0f)`: the declaration of a function with arguments that have defaults.
-    void read_defaults(uint32_t first, uint32_t open, uint32_t end) {
+    /// `float f(float x, float s = 2.0f) __attribute__((weak))`: the declaration of a function, with arguments that
+    /// have defaults, and with attributes.
+    void read_declaration(uint32_t first, uint32_t open, uint32_t end) {
         const uint32_t close = context_.structure.match[open];
         if (open < first + 2 || close == kNoMatch || close >= end || !is_name(open - 1) || !is_name_or_sign(open - 2))
             return;
+        read_attributes(open - 1, first, open - 1);
+        read_attributes(open - 1, close + 1, end);
         for (uint32_t at = open + 1; at < close; at = next(at, close))
             if (word(at) == "=") return add(open - 1, open - 1, close + 1, FileVariable::SaysOfFunction);
+    }
+
+    /// Those at the positions [first, end) that may change what a function does: `__attribute__((target("fma")))`.
+    void read_attributes(uint32_t name, uint32_t first, uint32_t end) {
+        for (uint32_t at = first; at < end;) {
+            const bool in_brackets = word(at) == "[" && at + 1 < end && word(at + 1) == "[";
+            const uint32_t open = in_brackets ? at : at + 1;
+            const bool has_word = !in_brackets && open < end && word(open) == "(" &&
+                                  is_one_of(word(at), {"__attribute__", "__attribute", "__declspec"});
+            const uint32_t after = next(open, end);
+            if ((in_brackets || has_word) && after > open + 1 && !is_idle(open + 1, after - 1))
+                add(name, at, after, FileVariable::SaysOfFunction);
+            at = in_brackets || has_word ? after : at + 1;
+        }
+    }
+
+    /// True if each attribute in a list only says how a function is linked or inlined, or what is warned of. One that
+    /// makes another function of it is asked for elsewhere (declared_lines.h).
+    bool is_idle(uint32_t first, uint32_t end) const {
+        if (first < end && (word(first) == "(" || word(first) == "[")) return is_idle(first + 1, next(first, end) - 1);
+        for (uint32_t at = first; at < end; at = next(at, end)) {
+            const bool is_scope = at + 1 < end && word(at + 1) == "::";
+            if (word(at) == "," || word(at) == "::" || is_scope || word(at) == "(") continue;
+            const std::string_view plain = without_underscores(word(at));
+            if (!is_name(at) ||
+                (!word_is(plain, kIdleAttribute) && !is_one_of(plain, {"format", "format_arg", "alias", "ifunc"})))
+                return false;
+        }
+        return true;
+    }
+
+    /// `weak` of `__weak__`
+    static std::string_view without_underscores(std::string_view word) {
+        const bool has_both = word.size() > 4 && word.starts_with("__") && word.ends_with("__");
+        return has_both ? word.substr(2, word.size() - 4) : word;
     }
 
     /// `template __global__ void f<float, 4>(float*)`
