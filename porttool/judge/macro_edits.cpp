@@ -183,6 +183,80 @@ void MacroEdits::judge(JudgedPair& pair, const LockedPair* line) {
     for (const Side side : kBothSides)
         if (!edits[side].empty()) tell(pair, side, edits[side]);
     tell_unlike_numbers(pair, *line);
+    tell_caught_locals(pair, *line);
+}
+
+/// A renaming of locals changes what a text says where a macro is called like one of them, or reads one.
+void MacroEdits::tell_caught_locals(JudgedPair& pair, const LockedPair& line) {
+    for (const Side side : kBothSides) {
+        const UnitState* unit = pair.unit[side];
+        const Fingerprints& recorded = side == Side::Source ? line.source_prints : line.target_prints;
+        if (unit == nullptr || recorded.written == unit->prints.written || recorded.renamed != unit->prints.renamed)
+            continue;
+        const NormalText text_then = facts_.base_text(recorded.written);
+        const Words then = text_then.words(), now = unit->text.words();
+        std::map<std::string_view, std::string_view> renamed;  // the names of before by those of now
+        for (size_t i = 0; i < now.size() && then.size() == now.size(); ++i)
+            if (then[i] != now[i]) renamed.emplace(now[i], then[i]);
+        for (const auto& [name, before] : renamed) {
+            const std::string_view caught = macro_with(*unit, side, name) ? name : before;
+            const auto macro = macro_with(*unit, side, caught);
+            if (!macro) continue;
+            pair.changed = true;
+            pair.equivalent = false;
+            findings_.add(side == Side::Source ? Rule::SourceChanged : Rule::TargetChanged, pair, {},
+                          fmt::format("{} calls its local {} {} now, and {} is a word of the macro {} ({}:{})",
+                                      side == Side::Source ? "the source" : "the port", before, name, caught,
+                                      shown(*macro), macro->file, macro->line),
+                          "local " + std::string(name));
+            break;
+        }
+    }
+}
+
+/// The words that a macro puts in its place, without its parameters and members.
+std::vector<std::string_view> MacroEdits::words_of(Side side, const WordMacro& macro) {
+    if (!at_place_[side]) {
+        auto& units = at_place_[side].emplace();
+        for (const auto& [id, unit] : facts_.units(side))
+            if (unit.kind == UnitKind::Constant) units.emplace(std::pair(unit.file, unit.start_line), &unit);
+    }
+    const auto unit = at_place_[side]->find(std::pair(std::string(macro.file), macro.line));
+    const Words text = unit != at_place_[side]->end() ? unit->second->text.words() : spaced_words(macro.text);
+    size_t at = 0;
+    while (at < text.size() && text[at] != "define" && text[at] != "#define") ++at;
+    at += 2;  // behind its name
+    size_t close = at + 1;
+    while (close < text.size() && (is_word_token(text[close]) || text[close] == "," || text[close] == "...")) ++close;
+    const bool has_list = at < text.size() && text[at] == "(" && close + 1 < text.size() && text[close] == ")";
+    const std::set<std::string_view> parameters(text.begin() + static_cast<std::ptrdiff_t>(has_list ? at + 1 : 0),
+                                                text.begin() + static_cast<std::ptrdiff_t>(has_list ? close : 0));
+    std::vector<std::string_view> out;
+    for (size_t i = has_list ? close + 1 : at; i < text.size(); ++i)
+        if (is_word_token(text[i]) && !parameters.contains(text[i]) && !is_one_of(text[i - 1], {".", "->"}))
+            out.push_back(text[i]);
+    return out;
+}
+
+/// A macro of that name, or one that the text uses, by whatever steps, and that reads the name.
+std::optional<WordMacro> MacroEdits::macro_with(const UnitState& unit, Side side, std::string_view name) {
+    constexpr size_t kMostSteps = 1024;
+    if (const auto named = macros(side).first_seen(unit.file, name)) return named;
+    std::set<std::string_view> seen;
+    std::vector<std::string_view> open;
+    for (const std::string_view word : unit.text.words())
+        if (is_word_token(word) && seen.insert(word).second) open.push_back(word);
+    for (size_t steps = 0; !open.empty() && steps < kMostSteps;) {
+        const auto macro = macros(side).first_seen(unit.file, open.back());
+        open.pop_back();
+        if (!macro) continue;
+        ++steps;
+        for (const std::string_view word : words_of(side, *macro)) {
+            if (word == name) return macro;
+            if (is_word_token(word) && seen.insert(word).second) open.push_back(word);
+        }
+    }
+    return std::nullopt;
 }
 
 /// A name that both texts came to use and that is one number here and another one there: an enumerator, a constant.

@@ -7,6 +7,8 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/judge.h"
@@ -17,7 +19,8 @@ namespace porttool {
 
 /// Finds the pairs of which one side says something else since macros came, went or changed, while its own text, as
 /// recorded, has their names as words; or since what its files declare of its words did, where no pair watches that: a
-/// constant, an enumerator, a type's other name, a block of variables. The first pair of those that the same macros
+/// constant, an enumerator, a type's other name, a block of variables; or since locals were renamed to what macros are
+/// called or read. The first pair of those that the same macros
 /// changed tells of it.
 class MacroEdits {
 public:
@@ -48,6 +51,9 @@ private:
     bool stand_for_each_other(const JudgedPair& pair, const BySide<std::string>& edits) const;
     std::string now_of(const JudgedPair& pair, const LockedPair& line, Side side);
     void tell_unlike_numbers(JudgedPair& pair, const LockedPair& line);
+    void tell_caught_locals(JudgedPair& pair, const LockedPair& line);
+    std::optional<WordMacro> macro_with(const UnitState& unit, Side side, std::string_view name);
+    std::vector<std::string_view> words_of(Side side, const WordMacro& macro);
     void tell(JudgedPair& pair, Side side, const std::string& edit);
     bool is_told_by_edit(const JudgedPair& pair, const Finding& of_macros) const;
     WordMacros& macros(Side side);
@@ -59,6 +65,8 @@ private:
     /// Constants and structs by their files, and the units that pairs watch; filled when first asked.
     BySide<std::optional<std::multimap<std::string_view, const UnitState*>>> declaring_;
     BySide<std::set<std::string>> watched_;
+    /// Macros that are units, by where they begin; filled when first asked.
+    BySide<std::optional<std::map<std::pair<std::string, uint32_t>, const UnitState*>>> at_place_;
     std::map<std::string, Told> told_;  ///< by the edit
 };
 

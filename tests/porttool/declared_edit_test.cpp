@@ -44,6 +44,38 @@ Rules rules_after(const Declared& row, Side side) {
     return out;
 }
 
+TEST(DeclaredEdits, ALocalThatIsRenamedToAWordOfAMacro) {
+    const Rules raised = {"source-changed"}, none;
+    const std::string gain =
+        "#define GAIN (gamma0 * 2.0f)\n#define TWICE GAIN\n#define SQ(x1) ((x1) * (x1).y1)\n"
+        "#define rough n\nextern float gamma0;";
+    const auto row = [&](const std::string& from, const std::string& to, const std::string& use, const Rules& rules) {
+        MemoryDisk disk;
+        const auto text = [&](const std::string& local) {
+            return gain + "\nvoid f(float* o, int n) { float " + local + " = n; o[n] = " + use + "; o[0] = " + local +
+                   "; }\n";
+        };
+        disk.files["/r/s/k.cu"] = text(from);
+        disk.files["/r/t/p.cpp"] = "void f(float* o, int n) { o[n] = other(n); }\n";
+        disk.files["/r/portmap.toml"] = kMapOf + "source = \"s/k.cu:f\"\ntarget = \"t/p.cpp:f\"\n";
+        EXPECT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0);
+        disk.files["/r/s/k.cu"] = text(to);
+        Rules out;
+        const auto report = check(disk);
+        for (const auto& finding : report["findings"])
+            if (finding["level"] != "note") out.push_back(finding["rule"]);
+        EXPECT_EQ(out, rules) << from << " to " << to << " with " << use;
+    };
+    row("v", "gamma0", "GAIN", raised);
+    row("v", "gamma0", "TWICE", raised);
+    row("gamma0", "v", "GAIN", raised);
+    row("v", "rough", "1.0f", raised);
+    row("v", "w", "GAIN", none);
+    row("v", "gamma0", "1.0f", none);
+    row("v", "x1", "SQ(o[1])", none);
+    row("v", "y1", "SQ(o[1])", none);
+}
+
 TEST(DeclaredEdits, OfWordsThatAWatchedFunctionUses) {
     const Rules raised = {"source-changed"}, none;
     const std::string modes = "enum Mode { ADD = 0, MUL = 1, SUB };", kinds = "enum { KIND_A, KIND_B, KIND_C = 4 };",
