@@ -56,16 +56,6 @@ std::vector<bool> last_breaks(const Words& tokens) {
     return out;
 }
 
-/// True for the name of a macro that says that something is not used: `UNUSED`, `Q_UNUSED`, `UNUSED_PARAM`. A function
-/// may do anything.
-bool says_unused(std::string_view name) {
-    constexpr std::string_view kWord = "UNUSED";
-    const size_t at = name.find(kWord);
-    const auto ends_word = [&](size_t i) { return i >= name.size() || name[i] == '_'; };
-    return at != std::string::npos && (at == 0 || name[at - 1] == '_') && ends_word(at + kWord.size()) &&
-           std::none_of(name.begin(), name.end(), is_small_letter);
-}
-
 /// The semicolon of the statement `( void ) a ;` at `i`, or 0.
 size_t end_of_thrown_away(const Words& tokens, size_t i) {
     const auto is = [&](size_t at, std::string_view word) { return at < tokens.size() && tokens[at] == word; };
@@ -307,6 +297,14 @@ std::string what_it_says(const Statement& said) {
 }
 
 }  // namespace
+
+bool says_unused(std::string_view name) {
+    constexpr std::string_view kWord = "UNUSED";
+    const size_t at = name.find(kWord);
+    const auto ends_word = [&](size_t i) { return i >= name.size() || name[i] == '_'; };
+    return at != std::string::npos && (at == 0 || name[at - 1] == '_') && ends_word(at + kWord.size()) &&
+           std::none_of(name.begin(), name.end(), is_small_letter);
+}
 
 LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Language language, const Dialect& dialect,
                    bool names_count) {

@@ -32,4 +32,8 @@ LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Languag
 /// words that went and came, without names, sorted. Two sides that did the same have equal lists.
 std::vector<std::string> declaration_changes(const Words& before, const Words& now, const PlainStatements& plain);
 
+/// True for the name of a macro that says that something is not used: `UNUSED`, `Q_UNUSED`, `UNUSED_PARAM`. A function
+/// may do anything.
+bool says_unused(std::string_view name);
+
 }  // namespace porttool

@@ -19,6 +19,7 @@
 #include <algorithm>
 
 #include "porttool/judge/folded.h"
+#include "porttool/judge/left_out_words.h"
 #include "porttool/judge/lock_index.h"
 #include "porttool/judge/macro_edits.h"
 #include "porttool/judge/new_names.h"
@@ -76,6 +77,7 @@ public:
           pair_judge_(facts, renamed_, shared_files_, findings_),
           macro_edits_(facts, shared_files_, findings_),
           new_names_(facts, findings_),
+          left_out_words_(facts, pair_judge_.dialect(), findings_),
           unlike_names_(facts, pair_judge_.dialect(), findings_),
           verdicts_(facts, findings_) {
         if (facts.in_project != nullptr && facts.in_project != &facts.lock)
@@ -89,6 +91,7 @@ public:
         find_unwatched(facts_, shared_files_, findings_, verdicts_, out_);
         macro_edits_.tell_how_many();
         new_names_.tell_how_many();
+        left_out_words_.tell_how_many();
         verdicts_.report_idle();
         report_unreadable();
         report_unexplained_kernels();
@@ -120,6 +123,9 @@ private:
                         [](const Finding& finding) { return finding.level <= Level::Note; }))
             unlike_names_.judge(pair, mapped.lock.pair);
         new_names_.judge(pair);
+        const auto told_by_now = findings_.from(first);
+        left_out_words_.judge(pair, std::any_of(told_by_now.begin(), told_by_now.end(),
+                                                [](const Finding& finding) { return finding.level > Level::Note; }));
         report_unexplained(pair);
         const Level told = weigh_shared_port(mapped, pair, first);
         report_other_parts(mapped, pair, first);
@@ -271,6 +277,7 @@ private:
     PairJudge pair_judge_;
     MacroEdits macro_edits_;
     NewNames new_names_;
+    LeftOutWords left_out_words_;
     UnlikeNames unlike_names_;
     Verdicts verdicts_;
     std::optional<LockIndex> in_project_;     ///< of the project's own lock, where another stands in for it

@@ -135,14 +135,6 @@ std::string place_of(const std::string& file, std::string_view scope, std::strin
     return file + '\n' + std::string(scope) + std::string(leaf);
 }
 
-/// False for files that are compiled by themselves.
-bool is_header(std::string_view path) {
-    static const std::set<std::string_view> kCompiled = {
-        ".c",    ".cc",   ".cpp",  ".cxx",  ".c++",  ".cu",   ".hip",  ".ispc",  ".m",     ".mm",    ".metal", ".comp",
-        ".vert", ".frag", ".geom", ".tesc", ".tese", ".rgen", ".rint", ".rahit", ".rchit", ".rmiss", ".rcall"};
-    return !kCompiled.contains(path.substr(std::min(path.rfind('.'), path.size())));
-}
-
 }  // namespace
 
 void NewNames::judge(JudgedPair& pair) {

@@ -102,4 +102,11 @@ private:
 
 NewWords new_words(const FilesOfSide& now, const FilesOfSide& then) { return WordDifference(now, then).run(); }
 
+bool is_header(std::string_view path) {
+    static const std::set<std::string_view> kCompiled = {
+        ".c",    ".cc",   ".cpp",  ".cxx",  ".c++",  ".cu",   ".hip",  ".ispc",  ".m",     ".mm",    ".metal", ".comp",
+        ".vert", ".frag", ".geom", ".tesc", ".tese", ".rgen", ".rint", ".rahit", ".rchit", ".rmiss", ".rcall"};
+    return !kCompiled.contains(path.substr(std::min(path.rfind('.'), path.size())));
+}
+
 }  // namespace porttool

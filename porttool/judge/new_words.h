@@ -34,4 +34,7 @@ struct NewWords {
 /// `now` must outlive it. What one file no longer says and another says now was moved and is not new.
 NewWords new_words(const FilesOfSide& now, const FilesOfSide& then);
 
+/// False for files that are compiled by themselves.
+bool is_header(std::string_view path);
+
 }  // namespace porttool

@@ -689,5 +689,65 @@ TEST_F(HostileGit, ANewMeaningOfAWordIsTold) {
                       {}, "target-changed"));
 }
 
+/// A unit whose words a comparison leaves out or takes for others, in a project whose header says what they are.
+struct LeftOutRow {
+    std::string from, to;  ///< the edit of the unit, if any
+    std::string header;    ///< what the header says more
+    bool is_told;
+};
+
+TEST_F(HostileGit, AWordThatTheComparisonLeavesOutIsToldWhereItMeansSomethingElse) {
+    const std::string unit =
+        "#include \"common.h\"\nfloat shade(float albedo, float cosine) {\n    float y = cosine * 2.0f;\n"
+        "    register int n = 0;\n    int k = 3;\n    n = n + k;\n    cudaMemcpy(&y, &n, 4, 1);\n"
+        "    return albedo * 0.5f + y;\n}\n";
+    write("src/s.cu", unit);
+    write("src/common.h", "#pragma once\n");
+    write("port/s.cpp", replaced(unit, "#include \"common.h\"\n", ""));
+    start();
+    const std::string call = "cudaMemcpy(&y, &n, 4, 1)", wrapped = "CUDA_CHECK(" + call + ")", k = "int k = 3;";
+    const std::string head = "float shade", tail = "cosine) {";
+    const std::vector<LeftOutRow> rows = {
+        {"", "", "#define register static\n", true},
+        {"", "", "#define register const\n", false},
+        {"", "", "#define register\n", true},  // as any macro without a body is
+        {"int k", "int32_t k", "#define int32_t bool\n", true},
+        {"int k", "int32_t k", "#define int32_t int\n", false},
+        {"int k", "int32_t k", "typedef bool int32_t;\n", true},
+        {"int k", "int32_t k", "typedef signed int int32_t;\n", false},
+        {"int k", "std::int32_t k", "namespace std {\nusing int32_t = bool;\n}\n", true},
+        {"int k", "std::int32_t k", "namespace std {\nusing int32_t = int;\n}\n", false},
+        {call, wrapped, "#define CUDA_CHECK(x)\n", true},
+        {call, wrapped, "#define CUDA_CHECK sizeof\n", true},
+        {call, wrapped, "#define CUDA_CHECK(x) false && (x)\n", true},
+        {call, wrapped, "#define CUDA_CHECK(x) (x)\n", false},
+        {call, wrapped, "#define CUDA_CHECK(x) report((x), #x, __FILE__, __LINE__)\n", false},
+        {call, wrapped,
+         "#define CUDA_CHECK(x) do { cudaError_t e = (x); if (e != cudaSuccess) { fail(e); } } while (0)\n", false},
+        {call, wrapped, "#define CUDA_CHECK(x) do { cudaError_t e = (x); n = 7; } while (0)\n", true},
+        {k, k + "\n    UNUSED(k);", "#define UNUSED ++\n", true},
+        {k, k + "\n    UNUSED(k);", "#define UNUSED(x) x *= 3\n", true},
+        {k, k + "\n    UNUSED(k);", "#define UNUSED(x) (void)(x)\n", false},
+        {k, k + "\n    UNUSED(k);", "#define UNUSED(x) do { (void)x; } while (0)\n", false},
+        {tail, "cosine) noexcept {", "#define noexcept { return 1.0f; } static float dead(float a)\n", true},
+        {tail, "cosine) noexcept {", "#define noexcept\n", false},
+        {head, "inline " + head, "#define inline float shade(float, float) { return 1; } template<int>\n", true},
+        {head, "FORCE_INLINE " + head, "#define FORCE_INLINE static inline __attribute__((always_inline))\n", false},
+        {head, "FORCE_INLINE " + head, "#define FORCE_INLINE __forceinline__\n", false},
+        {"", "", "#define static extern\n#define volatile\ntypedef bool int64_t;\n", false},  // nobody has the word
+    };
+    for (const LeftOutRow& row : rows) {
+        write("src/s.cu", row.from.empty() ? unit : replaced(unit, row.from, row.to));
+        write("src/common.h", "#pragma once\n" + row.header);
+        const CommandRun run = porttool({"check", "--base", "main", "--format", "json"});
+        ASSERT_NE(run.exit_code, 2) << row.to << row.header << run.err;
+        const auto got = nlohmann::json::parse(run.out);
+        const bool is_told = std::any_of(got["findings"].begin(), got["findings"].end(), [](const auto& one) {
+            return one["rule"] == "source-changed" && one["level"] == "error";
+        });
+        EXPECT_EQ(is_told, row.is_told) << row.to << row.header << got["findings"].dump(1);
+    }
+}
+
 }  // namespace
 }  // namespace porttool::testing::hostile_git_test

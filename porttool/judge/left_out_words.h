@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "porttool/judge/finding_list.h"
+#include "porttool/judge/harmless_macros.h"
+#include "porttool/judge/judge.h"
+#include "porttool/normal/word_macros.h"
+
+namespace porttool {
+
+/// Finds the pairs of which a side says something else since a word means something new that the comparison leaves out
+/// or takes for another one, whether the unit was edited or not:
+///
+///     now also  #define register static
+///     as ever   int count() { register int n = 0; return ++n; }
+///
+/// What was said at the merge base tells what is new: without one nothing is found. Of harmless forms nothing is told.
+class LeftOutWords {
+public:
+    /// All must outlive it.
+    LeftOutWords(const Case& facts, const Dialect& dialect, FindingList& findings)
+        : facts_(facts), dialect_(dialect), findings_(findings) {}
+
+    /// Adds the findings of a pair. Of several pairs that use one such word the first tells. `is_told`: the pair has a
+    /// finding that is more than a note.
+    void judge(const JudgedPair& pair, bool is_told);
+
+    /// Says in each finding how many more pairs there are. After all pairs.
+    void tell_how_many();
+
+private:
+    struct Told {
+        std::string fingerprint;
+        size_t more = 0;
+    };
+    struct Place {
+        const ScannedFile* file = nullptr;
+        const Unit* unit = nullptr;
+    };
+    /// Of one side, filled when first asked.
+    struct SideWords {
+        std::unordered_multimap<std::string_view, const NewWord*> by_word;  ///< what is said of words
+        std::unordered_map<std::string, Place> places;                      ///< of units, by their ids
+    };
+
+    SideWords& words(Side side);
+    std::vector<const NewWord*> changed_in(const JudgedPair& pair, Side side, bool is_told);
+    bool is_seen(Side side, const NewWord& said, const UnitState& user);
+    void tell(const JudgedPair& pair, Side side, const NewWord& said);
+
+    const Case& facts_;
+    const Dialect& dialect_;
+    FindingList& findings_;
+    BySide<std::optional<SideWords>> words_;
+    BySide<std::optional<WordMacros>> includes_;  ///< filled where it is asked who includes whom
+    std::map<std::string, Told> told_;
+};
+
+}  // namespace porttool
