@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <set>
 
 #include "porttool/compare/statement_edit.h"
 #include "porttool/normal/prelude.h"
@@ -84,15 +83,11 @@ bool has_none(const Counts& all, const Counts& some) {
     return std::none_of(some.begin(), some.end(), [&](const auto& one) { return all.contains(one.first); });
 }
 
-/// The units of one side that pairs name.
-std::set<std::string_view> watched(const Case& facts, Side side) {
-    std::set<std::string_view> out;
-    for (const MapPair& pair : facts.map.pairs)
-        if (side == Side::Source)
-            out.insert(pair.source);
-        else
-            out.insert(pair.targets.begin(), pair.targets.end());
-    return out;
+bool is_watched(const Case& facts, Side side, const std::string& id) {
+    return std::any_of(facts.map.pairs.begin(), facts.map.pairs.end(), [&](const MapPair& pair) {
+        if (side == Side::Source) return pair.source == id;
+        return std::find(pair.targets.begin(), pair.targets.end(), id) != pair.targets.end();
+    });
 }
 
 bool was_edited(const Case& facts, const UnitState& unit, Side side) {
@@ -122,20 +117,26 @@ std::string same_edit_beside(const Case& facts, const JudgedPair& pair, Side sid
     if (edit.longest < kSaysSomething) return {};
     if (has_its_place(all_of_it, split_statements(without_prelude(pair.unit[there]->text.words()), translator)))
         return {};
-    const std::set<std::string_view> known = watched(facts, there);
-    for (const auto& [id, beside] : facts.units(there)) {
-        const bool is_code = beside.kind == UnitKind::Function || beside.kind == UnitKind::Kernel;
-        if (beside.file != pair.unit[there]->file || !is_code || known.contains(id)) continue;
-        const Words now = without_prelude(beside.text.words());
+    // Of the units of the one file; who watches it is asked of those that have the edit alone.
+    const auto has_the_edit = [&](const UnitState& beside) {
         if (facts.at_base[there] != nullptr) {
-            const auto then = facts.at_base[there]->find(id);
-            if (then == facts.at_base[there]->end()) continue;
+            const auto then = facts.at_base[there]->find(beside.id);
+            if (then == facts.at_base[there]->end() || then->second.prints.written == beside.prints.written)
+                return false;
+            const Words now = without_prelude(beside.text.words());
             const KeysOfEdit there_too(statement_edit(without_prelude(then->second.text.words()), now, translator));
-            if (has_all(there_too.gained, edit.gained) && has_all(there_too.lost, edit.lost)) return id;
-        } else if (was_edited(facts, beside, there)) {
-            const KeysOfEdit all(statement_edit({}, now, translator));
-            if (!edit.gained.empty() && has_all(all.gained, edit.gained) && has_none(all.gained, edit.lost)) return id;
+            return has_all(there_too.gained, edit.gained) && has_all(there_too.lost, edit.lost);
         }
+        if (edit.gained.empty() || !was_edited(facts, beside, there)) return false;
+        const KeysOfEdit all(statement_edit({}, without_prelude(beside.text.words()), translator));
+        return has_all(all.gained, edit.gained) && has_none(all.gained, edit.lost);
+    };
+    const std::string in_file = pair.unit[there]->file + ":";
+    const auto& units = facts.units(there);
+    for (auto at = units.lower_bound(in_file); at != units.end() && at->first.starts_with(in_file); ++at) {
+        const UnitState& beside = at->second;
+        const bool is_code = beside.kind == UnitKind::Function || beside.kind == UnitKind::Kernel;
+        if (is_code && has_the_edit(beside) && !is_watched(facts, there, at->first)) return at->first;
     }
     return {};
 }
