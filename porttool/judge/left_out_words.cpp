@@ -113,8 +113,7 @@ bool LeftOutWords::is_seen(Side side, const NewWord& said, const UnitState& user
 void LeftOutWords::tell(const JudgedPair& pair, Side side, const NewWord& said) {
     const std::string told_as =
         fmt::format("{} left out {} {}", side == Side::Source ? "source" : "target", said.word(), said.text());
-    if (const auto known = told_.find(told_as); known != told_.end()) {
-        ++known->second.more;
+    if (told_.has_told(told_as)) {
         return;
     }
     Finding& finding =
@@ -126,16 +125,12 @@ void LeftOutWords::tell(const JudgedPair& pair, Side side, const NewWord& said) 
     finding.remedy = "Give it another name; if it is meant so, run: porttool ignore " +
                      argument(pair.id.source + "=" + pair.id.target, finding) + " --reason TEXT";
     finding.details.push_back("+ " + said.text());
-    told_.emplace(told_as, Told{finding.fingerprint});
+    told_.tell(told_as, finding);
 }
 
 void LeftOutWords::tell_how_many() {
-    for (const auto& [key, told] : told_) {
-        if (told.more == 0) continue;
-        for (Finding& finding : findings_.from(0))
-            if (finding.fingerprint == told.fingerprint)
-                finding.message += fmt::format("; so is that of {} more pair{}", told.more, told.more == 1 ? "" : "s");
-    }
+    told_.tell_how_many(findings_,
+                        [](const std::string&, size_t more) { return "; so is that of " + more_pairs(more); });
 }
 
 }  // namespace porttool

@@ -12,6 +12,7 @@
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/harmless_macros.h"
 #include "porttool/judge/judge.h"
+#include "porttool/judge/told_once.h"
 #include "porttool/normal/word_macros.h"
 
 namespace porttool {
@@ -37,10 +38,6 @@ public:
     void tell_how_many();
 
 private:
-    struct Told {
-        std::string fingerprint;
-        size_t more = 0;
-    };
     struct Place {
         const ScannedFile* file = nullptr;
         const Unit* unit = nullptr;
@@ -61,7 +58,7 @@ private:
     FindingList& findings_;
     BySide<std::optional<SideWords>> words_;
     BySide<std::optional<WordMacros>> includes_;  ///< filled where it is asked who includes whom
-    std::map<std::string, Told> told_;
+    ToldOnce told_;
 };
 
 }  // namespace porttool

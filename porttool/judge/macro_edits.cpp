@@ -452,8 +452,7 @@ void MacroEdits::tell(JudgedPair& pair, Side side, const std::string& edit) {
     const bool was_changed = std::exchange(pair.changed, true);
     const bool is_aside = are_words_of_asides(*pair.unit[side], edit);
     const std::string told_as = key + (is_aside ? " in asides" : "");
-    if (const auto known = told_.find(told_as); known != told_.end()) {
-        ++known->second.more;
+    if (told_.has_told(told_as)) {
         if (!was_changed) pair.equivalent = true;  // it is settled with the one that tells
         return;
     }
@@ -491,18 +490,14 @@ void MacroEdits::tell(JudgedPair& pair, Side side, const std::string& edit) {
         finding.message += "; told with the edit of the text itself";
         return;  // of pairs whose texts are as they were another tells
     }
-    told_.emplace(told_as, Told{finding.fingerprint});
+    told_.tell(told_as, finding);
 }
 
 void MacroEdits::tell_how_many() {
-    for (const auto& [key, told] : told_) {
-        if (told.more == 0) continue;
-        for (Finding& finding : findings_.from(0))
-            if (finding.fingerprint == told.fingerprint)
-                finding.message += fmt::format("; so {} of {} more pair{}",
-                                               key.starts_with("source") ? "does the source" : "does the port",
-                                               told.more, told.more == 1 ? "" : "s");
-    }
+    told_.tell_how_many(findings_, [](const std::string& what, size_t more) {
+        return fmt::format("; so {} of {}", what.starts_with("source") ? "does the source" : "does the port",
+                           more_pairs(more));
+    });
 }
 
 }  // namespace porttool

@@ -13,6 +13,7 @@
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/judge.h"
 #include "porttool/judge/shared_files.h"
+#include "porttool/judge/told_once.h"
 #include "porttool/normal/word_macros.h"
 
 namespace porttool {
@@ -36,11 +37,6 @@ public:
     void tell_how_many();
 
 private:
-    struct Told {
-        std::string fingerprint;
-        size_t more = 0;
-    };
-
     std::string edit_of(const JudgedPair& pair, const LockedPair& line, Side side);
     std::string without_shared(const JudgedPair& pair, Side side, const std::string& edit);
     std::string declared_edit(const JudgedPair& pair, const LockedPair& line, Side side);
@@ -67,7 +63,7 @@ private:
     BySide<std::set<std::string>> watched_;
     /// Macros that are units, by where they begin; filled when first asked.
     BySide<std::optional<std::map<std::pair<std::string, uint32_t>, const UnitState*>>> at_place_;
-    std::map<std::string, Told> told_;  ///< by the edit
+    ToldOnce told_;  ///< by the edit
 };
 
 }  // namespace porttool

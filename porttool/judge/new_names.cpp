@@ -364,8 +364,7 @@ void NewNames::tell(JudgedPair& pair, Side side, const Meaning& meaning) {
     const std::string key =
         "new name " + (meaning.unit != nullptr ? meaning.unit->id : meaning.word + " " + said->text());
     const std::string told_as = (side == Side::Source ? "source " : "target ") + key;
-    if (const auto known = told_.find(told_as); known != told_.end()) {
-        ++known->second.more;
+    if (told_.has_told(told_as)) {
         return;
     }
     Finding& finding =
@@ -376,7 +375,7 @@ void NewNames::tell(JudgedPair& pair, Side side, const Meaning& meaning) {
     finding.remedy = "Give it another name; if it is meant so, run: porttool ignore " +
                      argument(pair.id.source + "=" + pair.id.target, finding) + " --reason TEXT";
     if (said != nullptr) finding.details.push_back("+ " + said->text());
-    told_.emplace(told_as, Told{finding.fingerprint});
+    told_.tell(told_as, finding);
 }
 
 std::string NewNames::change_of(const Meaning& meaning, const NewWord* said) {
@@ -403,12 +402,8 @@ std::string NewNames::change_of(const Meaning& meaning, const NewWord* said) {
 }
 
 void NewNames::tell_how_many() {
-    for (const auto& [key, told] : told_) {
-        if (told.more == 0) continue;
-        for (Finding& finding : findings_.from(0))
-            if (finding.fingerprint == told.fingerprint)
-                finding.message += fmt::format("; so is that of {} more pair{}", told.more, told.more == 1 ? "" : "s");
-    }
+    told_.tell_how_many(findings_,
+                        [](const std::string&, size_t more) { return "; so is that of " + more_pairs(more); });
 }
 
 }  // namespace porttool

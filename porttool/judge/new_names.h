@@ -14,6 +14,7 @@
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/judge.h"
 #include "porttool/judge/overloads.h"
+#include "porttool/judge/told_once.h"
 #include "porttool/normal/word_macros.h"
 
 namespace porttool {
@@ -63,10 +64,6 @@ private:
         std::set<std::string> opened;                                       ///< namespaces
         std::map<std::string, OpenedIn, std::less<>> opened_now;
     };
-    struct Told {
-        std::string fingerprint;
-        size_t more = 0;
-    };
     using Uses = std::set<const Meaning*>;  ///< in the order of `meanings`
 
     const Fresh& fresh(Side side);
@@ -87,7 +84,7 @@ private:
     FindingList& findings_;
     BySide<std::optional<Fresh>> fresh_;
     mutable BySide<std::optional<WordMacros>> includes_;  ///< filled where it is asked who includes whom
-    std::map<std::string, Told> told_;
+    ToldOnce told_;
 };
 
 }  // namespace porttool
