@@ -370,15 +370,11 @@ bool MacroEdits::is_told_elsewhere(Side side, const WordMacro& declared) {
         auto& units = declaring_[side].emplace();
         for (const auto& [id, unit] : facts_.units(side))
             if (unit.kind == UnitKind::Constant || unit.kind == UnitKind::Struct) units.emplace(unit.file, &unit);
-        for (const MapPair& pair : facts_.map.pairs) {
-            if (side == Side::Source) watched_.source.insert(pair.source);
-            if (side == Side::Target) watched_.target.insert(pair.targets.begin(), pair.targets.end());
-        }
     }
     const auto [first, last] = declaring_[side]->equal_range(declared.file);
     return std::any_of(first, last, [&](const auto& one) {
         const UnitState& unit = *one.second;
-        return unit.start_line <= declared.line && declared.line <= unit.end_line && watched_[side].contains(unit.id);
+        return unit.start_line <= declared.line && declared.line <= unit.end_line && watched_.contains(side, unit.id);
     });
 }
 

@@ -14,6 +14,7 @@
 #include "porttool/judge/judge.h"
 #include "porttool/judge/shared_files.h"
 #include "porttool/judge/told_once.h"
+#include "porttool/judge/watched_units.h"
 #include "porttool/normal/word_macros.h"
 
 namespace porttool {
@@ -27,7 +28,7 @@ class MacroEdits {
 public:
     /// All must outlive it.
     MacroEdits(const Case& facts, SharedFiles& shared_files, FindingList& findings)
-        : facts_(facts), findings_(findings), shared_files_(shared_files) {}
+        : facts_(facts), findings_(findings), shared_files_(shared_files), watched_(facts.map) {}
 
     /// Adds the finding of a pair, if there is one. `line`: the pair's in the lock, or nullptr. One that does not say
     /// what macros made of the texts then is older than this question.
@@ -58,9 +59,9 @@ private:
     FindingList& findings_;
     SharedFiles& shared_files_;
     BySide<std::optional<WordMacros>> macros_;
-    /// Constants and structs by their files, and the units that pairs watch; filled when first asked.
+    /// Constants and structs by their files; filled when first asked.
     BySide<std::optional<std::multimap<std::string_view, const UnitState*>>> declaring_;
-    BySide<std::set<std::string>> watched_;
+    WatchedUnits watched_;
     /// Macros that are units, by where they begin; filled when first asked.
     BySide<std::optional<std::map<std::pair<std::string, uint32_t>, const UnitState*>>> at_place_;
     ToldOnce told_;  ///< by the edit

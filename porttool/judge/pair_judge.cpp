@@ -205,6 +205,7 @@ PairJudge::PairJudge(const Case& facts, const BySide<RenamedNames>& renamed, Sha
       dialect_(dialect_of_edits(facts.map)),
       own_names_(facts),
       swept_names_(facts),
+      watched_(facts.map),
       shared_files_(shared_files) {
     for (const SkippedFile& file : facts.skipped) unread_.emplace(file.file, file.reason);
 }
@@ -519,7 +520,7 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
                    there_is + " has an arm for each of these labels");
         return;
     }
-    if (const std::string beside = same_edit_beside(facts_, pair, side, before, dialect_); !beside.empty())
+    if (const std::string beside = same_edit_beside(facts_, watched_, pair, side, before, dialect_); !beside.empty())
         return weaken(pair, finding, Level::Note, "the same edit came to " + beside + ", which no pair watches");
     if (const Nearing nearing = draws_nearer(texts, dialect_); nearing != Nearing::No) {
         const bool in_order = nearing == Nearing::Yes;

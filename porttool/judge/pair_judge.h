@@ -14,6 +14,7 @@
 #include "porttool/judge/resolve.h"
 #include "porttool/judge/shared_files.h"
 #include "porttool/judge/swept_names.h"
+#include "porttool/judge/watched_units.h"
 
 namespace porttool {
 
@@ -67,6 +68,7 @@ private:
     bool found_one_edit_ = false;
     mutable OwnNames own_names_;      ///< what was asked of it is kept
     mutable SweptNames swept_names_;  ///< the same
+    mutable WatchedUnits watched_;    ///< the same
     SharedFiles& shared_files_;
     std::map<std::string, std::string> unread_;  ///< files, and why
 };

@@ -83,13 +83,6 @@ bool has_none(const Counts& all, const Counts& some) {
     return std::none_of(some.begin(), some.end(), [&](const auto& one) { return all.contains(one.first); });
 }
 
-bool is_watched(const Case& facts, Side side, const std::string& id) {
-    return std::any_of(facts.map.pairs.begin(), facts.map.pairs.end(), [&](const MapPair& pair) {
-        if (side == Side::Source) return pair.source == id;
-        return std::find(pair.targets.begin(), pair.targets.end(), id) != pair.targets.end();
-    });
-}
-
 bool was_edited(const Case& facts, const UnitState& unit, Side side) {
     return std::any_of(facts.lock.baseline.begin(), facts.lock.baseline.end(), [&](const LockedUnit& line) {
         return line.id == unit.id && line.side == side_word(side) && line.prints.renamed != unit.prints.renamed;
@@ -98,8 +91,8 @@ bool was_edited(const Case& facts, const UnitState& unit, Side side) {
 
 }  // namespace
 
-std::string same_edit_beside(const Case& facts, const JudgedPair& pair, Side side, const NormalText& before,
-                             const Dialect& dialect) {
+std::string same_edit_beside(const Case& facts, WatchedUnits& watched, const JudgedPair& pair, Side side,
+                             const NormalText& before, const Dialect& dialect) {
     constexpr size_t kSaysSomething = 5;  // words
     const Side there = other(side);
     const UnitState& unit = *pair.unit[side];
@@ -136,7 +129,7 @@ std::string same_edit_beside(const Case& facts, const JudgedPair& pair, Side sid
     for (auto at = units.lower_bound(in_file); at != units.end() && at->first.starts_with(in_file); ++at) {
         const UnitState& beside = at->second;
         const bool is_code = beside.kind == UnitKind::Function || beside.kind == UnitKind::Kernel;
-        if (is_code && has_the_edit(beside) && !is_watched(facts, there, at->first)) return at->first;
+        if (is_code && has_the_edit(beside) && !watched.contains(there, at->first)) return at->first;
     }
     return {};
 }

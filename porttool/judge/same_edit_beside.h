@@ -6,6 +6,7 @@
 
 #include "porttool/judge/judge.h"
 #include "porttool/judge/mapped_pair.h"
+#include "porttool/judge/watched_units.h"
 
 namespace porttool {
 
@@ -16,10 +17,9 @@ namespace porttool {
 ///     source      void launch() { ... n = size() - taps; kernel<<<...>>>(x, y, n); }      and the kernel, the pair's
 ///
 /// All statements that came or went did so there as well, one of them says something, and the counterpart has nothing
-/// like the place that they came to or went from. Of a unit whose text before
-/// is not known (without a merge base, what the baseline has of it) it is enough that it was edited, says all that came
-/// and nothing of what went.
-std::string same_edit_beside(const Case& facts, const JudgedPair& pair, Side side, const NormalText& before,
-                             const Dialect& dialect);
+/// like the place that they came to or went from. Of a unit whose text before is not known (without a merge base, what
+/// the baseline has of it) it is enough that it was edited, says all that came and nothing of what went.
+std::string same_edit_beside(const Case& facts, WatchedUnits& watched, const JudgedPair& pair, Side side,
+                             const NormalText& before, const Dialect& dialect);
 
 }  // namespace porttool

@@ -112,18 +112,11 @@ void UnlikeNames::judge(JudgedPair& pair, const LockedPair* line) {
 
 /// The unit of that name which no pair watches, if it is the only one of the side.
 const UnitState* UnlikeNames::sole_unit(Side side, std::string_view name, bool is_struct) {
-    if (!watched_) {
-        watched_.emplace();
-        for (const MapPair& pair : facts_.map.pairs) {
-            watched_->source.insert(pair.source);
-            watched_->target.insert(pair.targets.begin(), pair.targets.end());
-        }
-    }
     const std::vector<const UnitState*>* units = own_names_.of(side, name);
     if (units == nullptr || units->size() != 1) return nullptr;
     const UnitState& unit = *units->front();
     const bool fits = is_struct ? unit.kind == UnitKind::Struct : unit.kind == UnitKind::Function;
-    return fits && !(*watched_)[side].contains(unit.id) ? &unit : nullptr;
+    return fits && !watched_.contains(side, unit.id) ? &unit : nullptr;
 }
 
 /// Functions that say something else in so many ways are each side's own; of those that are one but for a statement

@@ -11,6 +11,7 @@
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/judge.h"
 #include "porttool/judge/own_names.h"
+#include "porttool/judge/watched_units.h"
 #include "porttool/language/dialect.h"
 #include "porttool/normal/word_macros.h"
 
@@ -28,7 +29,7 @@ class UnlikeNames {
 public:
     /// All must outlive it. `dialect`: that of edits.
     UnlikeNames(const Case& facts, const Dialect& dialect, FindingList& findings)
-        : facts_(facts), findings_(findings), dialect_(dialect), own_names_(facts) {}
+        : facts_(facts), findings_(findings), dialect_(dialect), own_names_(facts), watched_(facts.map) {}
 
     /// Adds the findings of a pair whose edits raised no more than notes. `line`: the pair's in the lock, or nullptr.
     void judge(JudgedPair& pair, const LockedPair* line);
@@ -47,8 +48,8 @@ private:
     FindingList& findings_;
     const Dialect& dialect_;
     OwnNames own_names_;
-    std::optional<BySide<std::set<std::string, std::less<>>>> watched_;  ///< units of pairs; filled when first asked
-    BySide<std::optional<WordMacros>> words_;                            ///< the same
+    WatchedUnits watched_;
+    BySide<std::optional<WordMacros>> words_;  ///< filled when first asked
 };
 
 }  // namespace porttool

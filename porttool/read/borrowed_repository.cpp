@@ -7,14 +7,6 @@
 #include "porttool/read/source_files.h"
 
 namespace porttool {
-namespace {
-
-using Repository = GitOwned<git_repository, git_repository_free>;
-using Commit = GitOwned<git_commit, git_commit_free>;
-using Tree = GitOwned<git_tree, git_tree_free>;
-using Index = GitOwned<git_index, git_index_free>;
-
-}  // namespace
 
 std::string borrow_repository(const GitRepository& other, const std::string& folder) {
     const std::optional<GitCommit> head = other.commit("HEAD");
@@ -31,18 +23,12 @@ std::string borrow_repository(const GitRepository& other, const std::string& fol
     const FileText shallow = disk.read(join_path(other.own_folder(), "shallow"), kLargestFile);
     if (shallow.error.empty()) (void)disk.write(join_path(ours, "shallow"), shallow.bytes);
 
-    const Repository repository(open_work_tree(ours));
-    git_commit* commit = nullptr;
-    if (!repository || git_commit_lookup(&commit, repository.get(), &*id) != 0) return git_last_error();
-    const Commit commit_owner(commit);
-    git_tree* tree = nullptr;
-    git_index* index = nullptr;
-    if (git_commit_tree(&tree, commit) != 0) return git_last_error();
-    const Tree tree_owner(tree);
-    if (git_repository_index(&index, repository.get()) != 0) return git_last_error();
-    const Index index_owner(index);
-    const bool done = git_repository_set_head_detached(repository.get(), &*id) == 0 &&
-                      git_index_read_tree(index, tree) == 0 && git_index_write(index) == 0;
+    const OwnedRepository repository(open_work_tree(ours));
+    const OwnedCommit commit = repository ? git_commit_at(repository.get(), *id) : nullptr;
+    const OwnedTree tree = commit ? git_tree_of(commit.get()) : nullptr;
+    const OwnedIndex index = tree ? git_index_of(repository.get()) : nullptr;
+    const bool done = index && git_repository_set_head_detached(repository.get(), &*id) == 0 &&
+                      git_index_read_tree(index.get(), tree.get()) == 0 && git_index_write(index.get()) == 0;
     return done ? std::string() : git_last_error();
 }
 

@@ -21,11 +21,6 @@
 namespace porttool {
 namespace {
 
-using Object = GitOwned<git_object, git_object_free>;
-using Commit = GitOwned<git_commit, git_commit_free>;
-using Tree = GitOwned<git_tree, git_tree_free>;
-using Index = GitOwned<git_index, git_index_free>;
-
 /// How to get a revision that is not here. Of a shallow clone all is missing that HEAD~1 and its like are counted from.
 std::string fetch_command(const std::string& revision, bool is_shallow) {
     const std::string remote = "origin/";
@@ -45,13 +40,13 @@ std::vector<std::string> other_meanings(git_repository* repository, const std::s
     for (const std::string in : {"", "refs/", "refs/tags/", "refs/heads/", "refs/remotes/"}) {
         git_reference* reference = nullptr;
         if (git_reference_lookup(&reference, repository, (in + name).c_str()) != 0) continue;
-        const std::unique_ptr<git_reference, decltype(&git_reference_free)> owner(reference, git_reference_free);
+        const GitOwned<git_reference, git_reference_free> owner(reference);
         git_object* commit = nullptr;
         if (git_reference_peel(&commit, reference, GIT_OBJECT_COMMIT) != 0) {
             tell_refused_object();
             continue;
         }
-        const Object object(commit);
+        const OwnedObject object(commit);
         found.push_back(in + name);
         commits.insert(git_oid_tostr_s(git_object_id(commit)));
     }
@@ -68,14 +63,14 @@ bool is_reached(git_repository* repository, const git_oid& wanted, const git_oid
         const git_oid at = open.back();
         open.pop_back();
         if (git_oid_equal(&at, &wanted) != 0) return true;
-        git_commit* commit = nullptr;
-        if (git_commit_lookup(&commit, repository, &at) != 0) {
+        const OwnedCommit commit = git_commit_at(repository, at);
+        if (!commit) {
             tell_refused_object();
             continue;
         }
-        const std::unique_ptr<git_commit, decltype(&git_commit_free)> owner(commit, git_commit_free);
-        for (unsigned k = 0; k < git_commit_parentcount(commit); ++k)
-            if (seen.insert(*git_commit_parent_id(commit, k)).second) open.push_back(*git_commit_parent_id(commit, k));
+        for (unsigned k = 0; k < git_commit_parentcount(commit.get()); ++k)
+            if (const git_oid& parent = *git_commit_parent_id(commit.get(), k); seen.insert(parent).second)
+                open.push_back(parent);
     }
     return false;
 }
@@ -100,7 +95,7 @@ MergeBase own_merge_base(git_repository* repository, const std::string& revision
     if (!is_there)
         return unknown_revision("--base " + terminal_text(revision) + ": no such revision here\nFetch it first: " +
                                 terminal_text(fetch_command(revision, is_shallow)));
-    const Object base(found);
+    const OwnedObject base(found);
     if (is_shallow && is_reached(repository, *git_object_id(base.get()), head)) {
         out.commit = *git_object_id(base.get());
     } else if (git_merge_base(&out.commit, repository, git_object_id(base.get()), &head) != 0) {
@@ -113,17 +108,14 @@ MergeBase own_merge_base(git_repository* repository, const std::string& revision
 }
 
 /// The tree of a commit; none if it is not here.
-Tree tree_of_commit(git_repository* repository, const git_oid& id) {
-    git_commit* commit = nullptr;
-    git_tree* tree = nullptr;
-    if (git_commit_lookup(&commit, repository, &id) != 0) return nullptr;
-    const Commit owner(commit);
-    return git_commit_tree(&tree, commit) == 0 ? Tree(tree) : nullptr;
+OwnedTree tree_of_commit(git_repository* repository, const git_oid& id) {
+    const OwnedCommit commit = git_commit_at(repository, id);
+    return commit ? git_tree_of(commit.get()) : nullptr;
 }
 
 /// What a commit has at a path that passes no link.
 GitEntry entry_at(git_repository* repository, const git_oid& commit, const std::string& path) {
-    const Tree tree = tree_of_commit(repository, commit);
+    const OwnedTree tree = tree_of_commit(repository, commit);
     return tree == nullptr ? GitEntry{} : entries_of_tree(tree.get())(path);
 }
 
@@ -194,7 +186,7 @@ FolderAtBase GitRepository::folder_at_base(const std::string& revision, const st
     git_repository* repository = handle_->repository();
     const MergeBase base = merge_base_with(repository, revision);
     if (!base.error.empty()) return {base.error};
-    const Tree tree = tree_of_commit(repository, base.commit);
+    const OwnedTree tree = tree_of_commit(repository, base.commit);
     if (tree == nullptr) return {git_last_error()};
     const GitEntryAt at = entries_of_tree(tree.get());
     EntryCount entries("the merge base");
@@ -219,16 +211,15 @@ FolderAtBase GitRepository::folder_at_base(const std::string& revision, const st
 
 std::vector<std::string> GitRepository::links_for_folders(const std::string& revision) const {
     std::vector<std::string> out;
-    git_index* index = nullptr;
-    if (!error_.empty() || git_repository_index(&index, handle_->repository()) != 0) return out;
-    const Index owner(index);
+    const OwnedIndex index = error_.empty() ? git_index_of(handle_->repository()) : nullptr;
+    if (!index) return out;
     std::vector<std::string> links;
-    for (size_t i = 0; i < git_index_entrycount(index); ++i)
-        if (const git_index_entry* entry = git_index_get_byindex(index, i); entry->mode == GIT_FILEMODE_LINK)
+    for (size_t i = 0; i < git_index_entrycount(index.get()); ++i)
+        if (const git_index_entry* entry = git_index_get_byindex(index.get(), i); entry->mode == GIT_FILEMODE_LINK)
             links.emplace_back(entry->path);
     if (links.empty()) return out;
     const MergeBase base = merge_base_with(handle_->repository(), revision);
-    const Tree tree = base.error.empty() ? tree_of_commit(handle_->repository(), base.commit) : nullptr;
+    const OwnedTree tree = base.error.empty() ? tree_of_commit(handle_->repository(), base.commit) : nullptr;
     if (tree == nullptr) return out;
     const GitEntryAt at = entries_of_tree(tree.get());
     for (std::string& link : links)

@@ -21,11 +21,6 @@
 namespace porttool {
 namespace {
 
-using Commit = GitOwned<git_commit, git_commit_free>;
-using Tree = GitOwned<git_tree, git_tree_free>;
-using Index = GitOwned<git_index, git_index_free>;
-using Submodule = GitOwned<git_repository, git_repository_free>;
-
 const std::string kMergeBase = "the merge base";  // as messages call it
 
 /// Where the files of one repository go.
@@ -98,21 +93,19 @@ bool read_tree(const Walk& walk, const git_oid& commit_id);
 bool read_submodule(const Walk& walk, const git_oid& commit, const std::string& path) {
     if (!walk.leads_to_wanted(path + "/")) return true;
     const char* workdir = git_repository_workdir(walk.repository);
-    git_repository* repository = workdir == nullptr ? nullptr : open_work_tree(workdir + path + "/.git");
-    if (repository == nullptr) {
+    const OwnedRepository repository(workdir == nullptr ? nullptr : open_work_tree(workdir + path + "/.git"));
+    if (!repository) {
         walk.out.unknown.insert(walk.name_of(path));
         return true;
     }
-    const Submodule owner(repository);
-    const Walk inside{walk.out,   repository,   "",           walk.name_of(path) + "/",
-                      walk.wants, walk.folders, walk.entries, walk.bytes};
+    const Walk inside{walk.out,   repository.get(), "",           walk.name_of(path) + "/",
+                      walk.wants, walk.folders,     walk.entries, walk.bytes};
     if (read_tree(inside, commit)) return true;
-    git_index* index = nullptr;
-    if (git_repository_index(&index, repository) != 0) return true;
-    const Index index_owner(index);
+    const OwnedIndex index = git_index_of(repository.get());
+    if (!index) return true;
     bool wanted = false;
-    for (size_t i = 0; i < git_index_entrycount(index) && !wanted; ++i)
-        wanted = walk.wants(inside.name_of(git_index_get_byindex(index, i)->path));
+    for (size_t i = 0; i < git_index_entrycount(index.get()) && !wanted; ++i)
+        wanted = walk.wants(inside.name_of(git_index_get_byindex(index.get(), i)->path));
     if (wanted) return false;
     walk.out.error.clear();  // of today's submodule the map names nothing; what it held then is not known
     walk.out.unknown.insert(walk.name_of(path));
@@ -127,9 +120,8 @@ bool read_entry(const Walk& walk, const git_tree_entry* entry, const std::string
     if (git_tree_entry_type(entry) == GIT_OBJECT_TREE) {
         const std::string inside = path + "/";
         if (!walk.leads_to_wanted(inside)) return true;
-        git_tree* tree = nullptr;
-        if (git_tree_lookup(&tree, walk.repository, &id) != 0) return false;
-        return read_folder(walk, Tree(tree).get(), inside);
+        const OwnedTree tree = git_tree_at(walk.repository, id);
+        return tree && read_folder(walk, tree.get(), inside);
     }
     if (!path.starts_with(walk.prefix)) return true;
     if (git_tree_entry_type(entry) == GIT_OBJECT_COMMIT) return read_submodule(walk, id, path);
@@ -167,15 +159,13 @@ bool for_linked_folders(const Walk& walk, const std::function<bool(const Walk&, 
 }
 
 bool read_linked_folder(const Walk& walk, const GitPlace& place) {
-    git_tree* tree = nullptr;
-    if (git_tree_lookup(&tree, walk.repository, &place.entry.id) != 0) return false;
-    return read_folder(walk, Tree(tree).get(), walk.alias + "/");
+    const OwnedTree tree = git_tree_at(walk.repository, place.entry.id);
+    return tree && read_folder(walk, tree.get(), walk.alias + "/");
 }
 
 bool read_tree(const Walk& walk, const git_oid& commit_id) {
-    git_commit* commit = nullptr;
-    git_tree* tree = nullptr;
-    if (git_commit_lookup(&commit, walk.repository, &commit_id) != 0) {
+    const OwnedCommit commit = git_commit_at(walk.repository, commit_id);
+    if (!commit) {
         walk.out.error = (walk.before.empty() ? kMergeBase : "the submodule " + terminal_text(walk.before)) +
                          " cannot be read: " + git_last_error() + "\nFetch it: " +
                          (walk.before.empty() ? "git fetch"
@@ -183,15 +173,15 @@ bool read_tree(const Walk& walk, const git_oid& commit_id) {
                                                     terminal_text(shell_quoted(walk.before)) + " fetch --unshallow");
         return false;
     }
-    const Commit commit_owner(commit);
-    if (git_commit_tree(&tree, commit) != 0) {
+    const OwnedTree tree = git_tree_of(commit.get());
+    if (!tree) {
         walk.out.error = kMergeBase + " cannot be read: " + git_last_error() + "\nLook into it with: git fsck";
         return false;
     }
-    const Tree tree_owner(tree);
     Walk payload = walk;
-    payload.at = entries_of_tree(tree);
-    if (!(read_folder(payload, tree, "") && for_linked_folders(payload, read_linked_folder)) && walk.out.error.empty())
+    payload.at = entries_of_tree(tree.get());
+    if (!(read_folder(payload, tree.get(), "") && for_linked_folders(payload, read_linked_folder)) &&
+        walk.out.error.empty())
         walk.out.error = kMergeBase + " cannot be read: " + git_last_error() + "\nLook into it with: git fsck";
     return walk.out.error.empty();
 }
@@ -234,14 +224,13 @@ std::string index_of_hook(git_repository* repository) {
 
 std::set<std::string> GitRepository::left_out_of(const std::string& folder_of_names) const {
     std::set<std::string> out;
-    git_index* index = nullptr;
-    if (!error_.empty() || git_repository_index(&index, handle_->repository()) != 0) return out;
-    const Index owner(index);
+    const OwnedIndex index = error_.empty() ? git_index_of(handle_->repository()) : nullptr;
+    if (!index) return out;
     const std::string before = folder() + (folder_of_names.empty() ? "" : folder_of_names + "/");
     size_t i = 0;
-    if (!before.empty() && git_index_find_prefix(&i, index, before.c_str()) != 0) return out;
-    for (; i < git_index_entrycount(index); ++i) {
-        const git_index_entry& entry = *git_index_get_byindex(index, i);
+    if (!before.empty() && git_index_find_prefix(&i, index.get(), before.c_str()) != 0) return out;
+    for (; i < git_index_entrycount(index.get()); ++i) {
+        const git_index_entry& entry = *git_index_get_byindex(index.get(), i);
         const std::string_view path = entry.path;
         if (!path.starts_with(before)) break;
         if ((entry.flags_extended & GIT_INDEX_ENTRY_SKIP_WORKTREE) != 0) out.emplace(path.substr(before.size()));
@@ -250,11 +239,11 @@ std::set<std::string> GitRepository::left_out_of(const std::string& folder_of_na
 }
 
 std::optional<std::string> GitRepository::ancestor_in_merge(const std::string& path) const {
-    git_index* index = nullptr;
-    if (!error_.empty() || git_repository_index(&index, handle_->repository()) != 0) return std::nullopt;
-    const Index owner(index);
+    const OwnedIndex index = error_.empty() ? git_index_of(handle_->repository()) : nullptr;
+    if (!index) return std::nullopt;
     const git_index_entry *ancestor = nullptr, *ours = nullptr, *theirs = nullptr;
-    if (git_index_conflict_get(&ancestor, &ours, &theirs, index, (folder() + path).c_str()) != 0) return std::nullopt;
+    if (git_index_conflict_get(&ancestor, &ours, &theirs, index.get(), (folder() + path).c_str()) != 0)
+        return std::nullopt;
     if (ancestor == nullptr) return "";
     const auto blob = read_git_blob(handle_->repository(), ancestor->id);
     return blob ? std::optional(blob->bytes) : std::nullopt;
@@ -262,13 +251,11 @@ std::optional<std::string> GitRepository::ancestor_in_merge(const std::string& p
 
 TrackedFiles GitRepository::tracked_files(const WantsFile& wants) const {
     TrackedFiles out;
-    git_index* index = nullptr;
     if (!error_.empty()) return {{}, {}, handle_->opened.is_there ? error_.substr(0, error_.find('\n')) : "", false};
-    if (git_repository_index(&index, handle_->repository()) != 0)
-        return {{}, {}, "the index cannot be read: " + git_last_error(), false};
-    const Index owner(index);
-    for (size_t i = 0; i < git_index_entrycount(index); ++i) {
-        const git_index_entry& entry = *git_index_get_byindex(index, i);
+    const OwnedIndex index = git_index_of(handle_->repository());
+    if (!index) return {{}, {}, "the index cannot be read: " + git_last_error(), false};
+    for (size_t i = 0; i < git_index_entrycount(index.get()); ++i) {
+        const git_index_entry& entry = *git_index_get_byindex(index.get(), i);
         const std::string_view path = entry.path;
         if (!path.starts_with(folder())) continue;
         std::string below(path.substr(folder().size()));
@@ -276,7 +263,7 @@ TrackedFiles GitRepository::tracked_files(const WantsFile& wants) const {
         if (entry.mode == GIT_FILEMODE_COMMIT) out.modules.emplace(below, git_oid_tostr_s(&entry.id));
         out.files.insert(std::move(below));
     }
-    out.is_known = git_index_entrycount(index) > 0;
+    out.is_known = git_index_entrycount(index.get()) > 0;
     return out;
 }
 
@@ -322,7 +309,7 @@ GitFiles GitRepository::files_in_index(const WantsFile& wants, const std::vector
     if ((of_hook.empty() ? git_repository_index(&index, handle_->repository())
                          : git_index_open(&index, of_hook.c_str())) != 0)
         return {{}, {}, {}, "the index cannot be read: " + git_last_error() + "\nLook into it with: git status"};
-    const Index owner(index);
+    const OwnedIndex owner(index);
     EntryCount entries("the index");
     uint64_t bytes = 0;
     Walk walk{out, handle_->repository(), folder(), "", wants, folders, entries, bytes, entries_of_index(index)};

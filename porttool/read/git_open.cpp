@@ -103,6 +103,26 @@ std::string git_last_error() {
     return error != nullptr && error->message != nullptr ? terminal_text(error->message) : "no reason given";
 }
 
+OwnedCommit git_commit_at(git_repository* repository, const git_oid& id) {
+    git_commit* commit = nullptr;
+    return OwnedCommit(git_commit_lookup(&commit, repository, &id) == 0 ? commit : nullptr);
+}
+
+OwnedTree git_tree_at(git_repository* repository, const git_oid& id) {
+    git_tree* tree = nullptr;
+    return OwnedTree(git_tree_lookup(&tree, repository, &id) == 0 ? tree : nullptr);
+}
+
+OwnedTree git_tree_of(const git_commit* commit) {
+    git_tree* tree = nullptr;
+    return OwnedTree(git_commit_tree(&tree, commit) == 0 ? tree : nullptr);
+}
+
+OwnedIndex git_index_of(git_repository* repository) {
+    git_index* index = nullptr;
+    return OwnedIndex(git_repository_index(&index, repository) == 0 ? index : nullptr);
+}
+
 std::optional<git_oid> git_oid_of(const std::string& text) {
     git_oid id{};
     if (text.size() != GIT_OID_HEXSZ || git_oid_fromstr(&id, text.c_str()) != 0) return std::nullopt;

@@ -21,6 +21,17 @@ struct GitFreed {
 };
 template <class T, void (*Free)(T*)>
 using GitOwned = std::unique_ptr<T, GitFreed<T, Free>>;
+using OwnedRepository = GitOwned<git_repository, git_repository_free>;
+using OwnedObject = GitOwned<git_object, git_object_free>;
+using OwnedCommit = GitOwned<git_commit, git_commit_free>;
+using OwnedTree = GitOwned<git_tree, git_tree_free>;
+using OwnedIndex = GitOwned<git_index, git_index_free>;
+
+/// What has this id, and what belongs to a commit or a repository; nullptr where libgit2 failed, which says why.
+OwnedCommit git_commit_at(git_repository* repository, const git_oid& id);
+OwnedTree git_tree_at(git_repository* repository, const git_oid& id);
+OwnedTree git_tree_of(const git_commit* commit);
+OwnedIndex git_index_of(git_repository* repository);
 
 /// Throws CannotDo where libgit2 failed in this thread since it asked for more memory than any object that is read may
 /// have. For whoever takes a failure for an answer: what is too large is here.
@@ -31,7 +42,7 @@ std::string git_last_error();
 
 /// A repository with its work tree's path to the root in question.
 struct OpenedGit {
-    GitOwned<git_repository, git_repository_free> repository;
+    OwnedRepository repository;
     std::string prefix;     ///< "sub/folder/" or ""
     std::string error;      ///< empty, or why not, with `remedy` and the git command that helps
     bool is_there = false;  ///< one lies there, whether it can be read or not

@@ -12,10 +12,6 @@
 namespace porttool {
 namespace {
 
-using Object = GitOwned<git_object, git_object_free>;
-using Commit = GitOwned<git_commit, git_commit_free>;
-using Tree = GitOwned<git_tree, git_tree_free>;
-
 std::string text_of(const git_oid& id) {
     std::string text(GIT_OID_HEXSZ, '0');
     git_oid_fmt(text.data(), &id);
@@ -28,32 +24,32 @@ std::string beginning_of(const char* message) {
     return message == nullptr ? std::string() : std::string(message, ::strnlen(message, kLongest));
 }
 
-Commit lookup(git_repository* repository, const std::string& text) {
+OwnedCommit lookup(git_repository* repository, const std::string& text) {
     const auto id = git_oid_of(text);
-    git_commit* commit = nullptr;
-    if (id && git_commit_lookup(&commit, repository, &*id) != 0) tell_refused_object();
-    return Commit(commit);
+    OwnedCommit commit = id ? git_commit_at(repository, *id) : nullptr;
+    if (id && !commit) tell_refused_object();
+    return commit;
 }
 
-Tree tree_of(git_repository* repository, const std::string& commit_id) {
-    const Commit commit = lookup(repository, commit_id);
-    git_tree* tree = nullptr;
-    if (commit && git_commit_tree(&tree, commit.get()) != 0) tell_refused_object();
-    return Tree(tree);
+OwnedTree tree_of(git_repository* repository, const std::string& commit_id) {
+    const OwnedCommit commit = lookup(repository, commit_id);
+    OwnedTree tree = commit ? git_tree_of(commit.get()) : nullptr;
+    if (commit && !tree) tell_refused_object();
+    return tree;
 }
 
 GitCommit described(git_commit* commit) {
     return {text_of(*git_commit_id(commit)), git_commit_time(commit), beginning_of(git_commit_summary(commit))};
 }
 
-Tree tree_at(git_repository* repository, const git_oid& id) {
-    git_tree* tree = nullptr;
-    if (git_tree_lookup(&tree, repository, &id) != 0) tell_refused_object();
-    return Tree(tree);
+OwnedTree tree_at(git_repository* repository, const git_oid& id) {
+    OwnedTree tree = git_tree_at(repository, id);
+    if (!tree) tell_refused_object();
+    return tree;
 }
 
 /// The tree of a folder ("sub/folder/") within another; nothing where it has none.
-Tree folder_of(git_repository* repository, const git_tree* tree, const std::string& folder) {
+OwnedTree folder_of(git_repository* repository, const git_tree* tree, const std::string& folder) {
     git_tree_entry* entry = nullptr;
     if (tree == nullptr || git_tree_entry_bypath(&entry, tree, folder.substr(0, folder.size() - 1).c_str()) != 0) {
         tell_refused_object();
@@ -103,14 +99,14 @@ private:
         return mode == GIT_FILEMODE_BLOB || mode == GIT_FILEMODE_BLOB_EXECUTABLE;
     }
 
-    Tree folder(const git_tree_entry* entry) const {
+    OwnedTree folder(const git_tree_entry* entry) const {
         const bool is_folder = entry != nullptr && git_tree_entry_type(entry) == GIT_OBJECT_TREE;
         return is_folder ? tree_at(repository_, *git_tree_entry_id(entry)) : nullptr;
     }
 
     void note(const git_tree_entry* before, const git_tree_entry* now, const std::string& path) {
         const std::string name = path + git_tree_entry_name(now != nullptr ? now : before);
-        const Tree old_folder = folder(before), new_folder = folder(now);
+        const OwnedTree old_folder = folder(before), new_folder = folder(now);
         if (old_folder || new_folder) {
             compare(old_folder.get(), new_folder.get(), name + "/");
         } else if ((is_file(before) || is_file(now)) && wants_(name)) {
@@ -141,7 +137,7 @@ std::set<std::string> ancestors_of(git_repository* repository, const std::string
         const std::string next = std::move(open.back());
         open.pop_back();
         if (!seen.insert(next).second) continue;
-        const Commit commit = lookup(repository, next);
+        const OwnedCommit commit = lookup(repository, next);
         for (unsigned i = 0; commit && i < git_commit_parentcount(commit.get()); ++i)
             open.push_back(text_of(*git_commit_parent_id(commit.get(), i)));
     }
@@ -188,8 +184,8 @@ std::optional<GitCommit> GitRepository::commit(const std::string& revision) cons
     const bool is_there = git_revparse_single(&found, handle_->repository(), (revision + "^{commit}").c_str()) == 0;
     tell_refused_object();
     if (!is_there) return std::nullopt;
-    const Object owner(found);
-    const Commit commit = lookup(handle_->repository(), text_of(*git_object_id(found)));
+    const OwnedObject owner(found);
+    const OwnedCommit commit = lookup(handle_->repository(), text_of(*git_object_id(found)));
     if (!commit) return std::nullopt;
     return described(commit.get());
 }
@@ -212,7 +208,7 @@ size_t GitRepository::commits_between(const std::string& older, const std::strin
 
 GitChain GitRepository::first_parents(const std::string& newest) const {
     GitChain chain;
-    Commit commit = lookup(handle_->repository(), newest);
+    OwnedCommit commit = lookup(handle_->repository(), newest);
     while (commit) {
         chain.commits.push_back(described(commit.get()));
         if (git_commit_parentcount(commit.get()) == 0) break;
@@ -236,7 +232,7 @@ GitSteps GitRepository::steps(const std::string& newest, const std::string& hidd
         const std::string id = std::move(open.back());
         open.pop_back();
         if (!seen.insert(id).second) continue;
-        const Commit commit = lookup(repository, id);
+        const OwnedCommit commit = lookup(repository, id);
         if (!commit) {
             out.cut = true;
             continue;
@@ -272,9 +268,9 @@ GitSteps GitRepository::steps(const std::string& newest, const std::string& hidd
 std::vector<GitChange> GitRepository::changes(const std::string& older, const std::string& newer,
                                               const WantsFile& wants) const {
     git_repository* repository = handle_->repository();
-    const Tree now = tree_of(repository, newer);
+    const OwnedTree now = tree_of(repository, newer);
     if (!now) return {};
-    const Tree before = older.empty() ? nullptr : tree_of(repository, older);
+    const OwnedTree before = older.empty() ? nullptr : tree_of(repository, older);
     const std::string& prefix = handle_->opened.prefix;
     TreeComparison comparison(repository, newer, wants);
     if (prefix.empty())
