@@ -157,7 +157,7 @@ def make_certificate(folder):
 def path_with(folder, tool):
     """A PATH on which the steps find `tool` and no other program that gets files."""
     folder.mkdir()
-    for name in ("sh", "cp", "grep", "gzip", "mkdir", "mktemp", "sha256sum", "tar", "uname", tool):
+    for name in ("sh", "cp", "grep", "gzip", "mkdir", "mktemp", "sha256sum", "tar", "tr", "uname", tool):
         (folder / name).symlink_to(shutil.which(name))
     return str(folder)
 
@@ -186,7 +186,8 @@ class Steps:
             self.assertNotIn("$[[", script)
 
     def test_the_archive_with_its_sum_or_with_sums_beside_it(self):
-        for inputs in (self.archive, {**self.archive, "sha256": ""}):
+        for inputs in (self.archive, {**self.archive, "sha256": ""},
+                       {**self.archive, "sha256": self.archive["sha256"].upper()}):
             code, _, err, arguments = self.service.run(inputs)
             self.assertEqual((code, err), (0, ""))
             self.assertEqual(arguments.count("check"), self.service.reports)
