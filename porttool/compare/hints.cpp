@@ -16,7 +16,8 @@ class HintReader {
 public:
     explicit HintReader(Words words) : words_(std::move(words)) {
         for (const std::string_view word : words_)
-            order_matters_ = order_matters_ || is_one_of(word, {"nowait", "ordered", "omp_get_thread_num"});
+            order_matters_ =
+                order_matters_ || is_one_of(word, {"nowait", "ordered", "omp_get_thread_num", "omp_get_num_threads"});
     }
 
     Words run() {
@@ -84,7 +85,7 @@ private:
         while (is_clause(end, loop) || (word(end) == "," && is_clause(end + 1, loop))) {
             if (word(end) == ",") ++end;
             const size_t next = word(end + 1) == "(" ? after_group(end + 1) : end + 1;
-            if (!only_schedules(word(end))) kept.insert(kept.end(), at_word(end), at_word(next));
+            if (!only_schedules(end, loop)) kept.insert(kept.end(), at_word(end), at_word(next));
             end = next;
         }
         if (order_matters_) {
@@ -111,8 +112,11 @@ private:
                                    "shared", "reduction", "default", "copyin", "proc_bind", "linear", "aligned",
                                    "safelen", "simdlen", "nontemporal", "allocate", "order"});
     }
-    static bool only_schedules(std::string_view clause) {
-        return is_one_of(clause, {"schedule", "proc_bind", "simdlen", "nontemporal"});
+    /// How many threads share the turns of a `loop` is a matter of speed, as their schedule is; but one thread alone
+    /// hides a race, and what stands in a `parallel` without a loop is done by each.
+    bool only_schedules(size_t i, bool loop) const {
+        if (word(i) == "num_threads") return loop && !(word(i + 2) == "1" && word(i + 3) == ")");
+        return is_one_of(word(i), {"schedule", "proc_bind", "simdlen", "nontemporal"});
     }
 
     Words words_;

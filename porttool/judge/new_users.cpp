@@ -204,13 +204,13 @@ private:
     }
 
     /// Where most of what stood beside it has no port, one more without is no news: in its file, or for what came with
-    /// a file of its own, in the folder. A kernel is held against the kernels there alone, of which hardly any may have
-    /// one.
+    /// a file of its own, in the folder. A kernel is held against kernels alone: of the many that its folder has,
+    /// fewer than a quarter may have one, and of those of its file fewer than half.
     void find_barren_places() {
         struct Place {
             size_t watched = 0, known = 0;
         };
-        std::map<std::string_view, Place> files, folders, kernels;
+        std::map<std::string_view, Place> files, folders, kernels, kernels_in_files;
         const auto folder = [](const UnitState& unit) {
             const size_t end = unit.file.rfind('/');
             return end == std::string::npos ? std::string_view() : std::string_view(unit.file).substr(0, end);
@@ -223,14 +223,17 @@ private:
             if (unit.kind == UnitKind::File || units_.fresh.contains(&unit)) continue;
             count(files[unit.file], unit);
             count(folders[folder(unit)], unit);
-            if (unit.kind == UnitKind::Kernel) count(kernels[folder(unit)], unit);
+            if (unit.kind != UnitKind::Kernel) continue;
+            count(kernels[folder(unit)], unit);
+            count(kernels_in_files[unit.file], unit);
         }
         constexpr size_t kLeast = 4;  // units that tell a manner
-        constexpr size_t kManyKernels = 32, kHardlyAny = 32;
+        constexpr size_t kManyKernels = 32;
         for (const UnitState* unit : units_.unported) {
             if (unit->kind == UnitKind::Kernel) {
-                const Place& place = kernels[folder(*unit)];
-                if (place.known >= kManyKernels && kHardlyAny * place.watched <= place.known)
+                const Place &place = kernels[folder(*unit)], &in_file = kernels_in_files[unit->file];
+                const bool has_company = in_file.watched > 0 && 2 * in_file.watched >= in_file.known;
+                if (place.known >= kManyKernels && 4 * place.watched < place.known && !has_company)
                     told_.emplace(unit, fmt::format("{} of the {} kernels that its folder had before have none either",
                                                     place.known - place.watched, place.known));
                 continue;

@@ -661,18 +661,30 @@ TEST(QuietGate, ABaseThatIsNotOfTheProject) {
     EXPECT_EQ(after(of_lib, replaced(of_lib, "unary", "binary")), Loud{"source-changed s/k.h:S"});
 }
 
-TEST(QuietGate, AKernelOfAFolderWithHardlyAnyPort) {
+TEST(QuietGate, AKernelOfAFolderWithFewPorts) {
     const auto kernel = [](const std::string& name) {
         return "__global__ void " + name + "(float* y) { y[threadIdx.x] = " + name + "_of(y[threadIdx.x]); }\n";
     };
-    const std::string paired = "float f(float x) { return x * 2.0f + 1.0f; }\n";
-    const auto after = [&](int kernels) {
-        std::string text = paired;
-        for (int i = 0; i < kernels; ++i) text += kernel("k" + std::to_string(i));
-        return loud({{"s/k.cu", text}, {"t/k.cpp", paired}}, {{"s/new.cu", kernel("fresh")}}, {"s/k.cu:f=t/k.cpp:f"});
+    /// `ported` of the folder's kernels have a port; the new one stands in `file`.
+    const auto after = [&](int kernels, int ported, const std::string& file = "s/new.cu") {
+        Texts texts;
+        std::vector<std::string> pairs;
+        for (int i = 0; i < kernels; ++i) {
+            const std::string name = "k" + std::to_string(i);
+            texts[i < ported ? "s/k.cu" : "s/alone.cu"] += kernel(name);
+            if (i >= ported) continue;
+            texts["t/k.cpp"] += kernel(name);
+            pairs.push_back("s/k.cu:" + name + "=t/k.cpp:" + name);
+        }
+        return loud(texts, {{file, texts[file] + kernel("fresh")}}, pairs);
     };
-    EXPECT_EQ(after(32), Loud{});
-    EXPECT_EQ(after(16), Loud{"unported s/new.cu:fresh"}) << "so few tell nothing";
+    const Loud told = {"unported s/new.cu:fresh"};
+    EXPECT_EQ(after(33, 1), Loud{});
+    EXPECT_EQ(after(40, 9), Loud{});
+    EXPECT_EQ(after(40, 9, "s/alone.cu"), Loud{});
+    EXPECT_EQ(after(40, 9, "s/k.cu"), Loud{"unported s/k.cu:fresh"}) << "those beside it have ports";
+    EXPECT_EQ(after(40, 10), told) << "a quarter of them has one";
+    EXPECT_EQ(after(17, 1), told) << "so few tell nothing";
 }
 
 TEST(QuietGate, HowThePortDrivesARuntimeOfItsOwn) {
