@@ -167,6 +167,7 @@ private:
                                             "-fno-delete-null-pointer-checks",
                                             "-fdiagnostics-color=never",
                                             "-fno-caret-diagnostics",
+                                            "-Wl,--wrap=exit",
                                             "-o",
                                             path,
                                             path + ".cpp"};

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 #include "porttool/difftest/argument_list.h"
 #include "porttool/difftest/old_style.h"
 #include "porttool/difftest/prelude.h"
+#include "porttool/difftest/variable_type.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/text/is_one_of.h"
 
@@ -148,12 +150,20 @@ private:
     }
 
     void bring_variable(const Definition& one) {
-        if (!supplied_.variables.contains(one.name)) {
-            out.missing = "binding " + one.name;
+        const VariableType type = type_of_variable(one);
+        if (!(type.is_single() ? supplied_.variables : supplied_.arrays).contains(one.name) || type.name.empty()) {
+            out.missing = "binding " + one.name +
+                          (type.name.empty() ? ": a type that no run can make" : ": the other side has none like it");
             return;
         }
-        for (const Definition* type : definitions_.find(*one.file, type_of_variable(one)))
-            if (type->owner.empty()) bring(*type);
+        const auto is_same = [&](const Piece& piece) {
+            return piece.definition->kind == Definition::Kind::Variable && piece.definition->name == one.name;
+        };
+        if (std::any_of(out.pieces.begin(), out.pieces.end(), is_same)) return;  // announced in a header, too
+        std::istringstream words(type.name + " " + type.bounds);
+        for (std::string word; words >> word;)
+            for (const Definition* found : definitions_.find(*one.file, word))
+                if (found->owner.empty()) bring(*found);
         out.pieces.push_back(Piece{&one, {}, {}});
     }
 

@@ -28,7 +28,7 @@ struct Closure {
 /// variables of plain data that are inputs.
 struct Supplied {
     std::set<const Definition*> functions;
-    std::set<std::string, std::less<>> variables;
+    std::set<std::string, std::less<>> variables, arrays;  ///< of one value; of many
 };
 
 /// Follows the names in the text of a function.

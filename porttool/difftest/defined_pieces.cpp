@@ -188,6 +188,18 @@ TokenRange table_of(const ScannedFile& file, const FileVariable& variable) {
     return {};
 }
 
+/// Behind `)(int, float)`, what stands behind the bounds in a table of functions: `void (*NAME[3])(int, float)`; the
+/// same place for others.
+uint32_t behind_function_type(const LexedText& lexed, uint32_t at) {
+    const auto count = static_cast<uint32_t>(lexed.tokens.size());
+    if (at + 1 >= count || lexed.view(at) != ")" || lexed.view(at + 1) != "(") return at;
+    for (uint32_t i = at + 1, depth = 0; i < count; ++i) {
+        if (lexed.view(i) == "(") ++depth;
+        if (lexed.view(i) == ")" && --depth == 0) return i + 1;
+    }
+    return at;
+}
+
 /// The statement of a table that begins to be named at `i`: `float NAME[3] = {1, 2, 3};`; empty for others.
 TokenRange table_at(const LexedText& lexed, uint32_t i) {
     const auto count = static_cast<uint32_t>(lexed.tokens.size());
@@ -198,6 +210,7 @@ TokenRange table_at(const LexedText& lexed, uint32_t i) {
         if (lexed.view(at) == "]") --depth;
         if (depth == 0 && lexed.view(at) != "]") break;
     }
+    if (at < count && i > 1 && lexed.view(i - 1) == "*") at = behind_function_type(lexed, at);
     if (at + 1 >= count || lexed.view(at) != "=" || lexed.view(at + 1) != "{") return {};
     uint32_t first = i;
     while (first > 0 && lexed.view(first - 1) != ";" && lexed.view(first - 1) != "}" && lexed.view(first - 1) != "{" &&
@@ -367,19 +380,6 @@ uint32_t end_of_function(const LexedText& lexed, const Unit& unit) {
         if (next != "," && next != "{") return i + 1;
     }
     return unit.tokens.end;
-}
-
-std::string_view type_of_variable(const Definition& variable) {
-    const LexedText& lexed = variable.file->lexed;
-    const auto count = static_cast<uint32_t>(lexed.tokens.size());
-    // Of a block of GLSL the tokens are its head, and the variable stands behind them.
-    for (uint32_t i = variable.tokens.first + 1; i + 1 < std::min(variable.tokens.end + 16, count); ++i) {
-        if (lexed.view(i) != variable.name) continue;
-        const std::string_view next = lexed.view(i + 1);
-        const bool alone = next == ";" || next == "=" || next == "{";
-        return alone && lexed.tokens[i - 1].kind == TokenKind::Identifier ? lexed.view(i - 1) : std::string_view();
-    }
-    return {};
 }
 
 std::vector<std::string> further_names(const Definition& one) {

@@ -24,9 +24,6 @@ struct Definition {
     uint32_t open_conditions = 0;      ///< how many `#endif` close them
 };
 
-/// The one word that a variable's type is; "" where it is more, as an array or a pointer.
-std::string_view type_of_variable(const Definition& variable);
-
 /// True for a macro that is none without arguments in parentheses.
 bool takes_arguments(const Definition& macro);
 

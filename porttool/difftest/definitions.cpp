@@ -3,6 +3,7 @@
 #include "porttool/difftest/definitions.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "porttool/difftest/prelude.h"
 #include "porttool/read/source_files.h"
@@ -75,12 +76,14 @@ bool is_known(const std::vector<const Definition*>& found, const Definition& one
 /// True for languages one of which may use what the other defines: a header of C++ and a source of CUDA.
 bool are_related(Language a, Language b) { return a == b || (!has_vector_types(a) && !has_vector_types(b)); }
 
+bool is_header(const ScannedFile& file) { return file.path.ends_with(".h") || file.path.ends_with(".hpp"); }
+
 /// True for a header that is read by files of another language, whichever includes it: what a host hands to its
 /// kernels need not be included by any.
 bool is_shared_header(const ScannedFile& file) {
     const bool shared =
         file.language == Language::C || file.language == Language::Cpp || file.language == Language::Unknown;
-    return shared && (file.path.ends_with(".h") || file.path.ends_with(".hpp"));
+    return shared && is_header(file);
 }
 
 /// True where what was found may stand beside others: overloads, or macros of a condition that may not hold.
@@ -134,6 +137,8 @@ Definitions::Definitions(const std::vector<ScannedFile>& files, const std::strin
         add_file(*preamble_);
     }
     for (const ScannedFile& file : files) (void)reached(file);
+    for (const auto& [from, others] : includes_)
+        for (const auto& [behind, file] : others) included_.insert(file);
     namespaces_.erase("std");
 }
 
@@ -278,6 +283,7 @@ const std::vector<const Definition*>& Definitions::find(const ScannedFile& from,
         if (of_build_.contains(one->file)) continue;  // that of another folder
         if (one->kind == Definition::Kind::Variable || is_macro_as_tag(*one, name)) continue;
         if (only_conditional && one->kind == Definition::Kind::Macro) continue;
+        if (is_of_other_system(*one)) continue;
         const bool related = are_related(one->file->language, from.language);
         if (!related && !is_shared_header(*one->file)) continue;
         const ScannedFile*& nearest = related ? best : header;
@@ -288,6 +294,12 @@ const std::vector<const Definition*>& Definitions::find(const ScannedFile& from,
     for (const Definition* one : other->second)
         if (one->file == best && !(only_conditional && one->kind == Definition::Kind::Macro)) at->second.push_back(one);
     return at->second;
+}
+
+bool Definitions::is_of_other_system(const Definition& one) const {
+    return one.kind == Definition::Kind::Macro && takes_arguments(one) && is_header(*one.file) &&
+           !included_.contains(one.file) &&
+           std::none_of(one.name.begin(), one.name.end(), [](unsigned char c) { return std::isupper(c) != 0; });
 }
 
 std::vector<const Definition*> Definitions::find_macro(const ScannedFile& from, std::string_view name) const {

@@ -92,6 +92,9 @@ private:
     std::vector<const ScannedFile*> all_reached(const ScannedFile& from) const;
     /// True for `typedef struct ALIGNED {...} NAME;` asked for as ALIGNED where that is a macro.
     bool is_macro_as_tag(const Definition& one, std::string_view name) const;
+    /// A macro in the place of a function of the library, `fileno(f)`, in a header that no file includes: it stands for
+    /// another system.
+    bool is_of_other_system(const Definition& one) const;
     const ScannedFile* included(const ScannedFile& from, std::string_view what) const;
 
     const std::string& root_;
@@ -104,6 +107,7 @@ private:
     mutable std::deque<ScannedFile> read_;
     mutable std::map<std::string, const ScannedFile*> headers_;
     mutable std::map<const ScannedFile*, Includes> includes_;
+    std::set<const ScannedFile*> included_;  ///< by one of the files that the globs name
     mutable std::map<const ScannedFile*, std::vector<const ScannedFile*>> reached_;
     mutable std::map<std::pair<const ScannedFile*, std::string>, std::vector<const Definition*>> found_;
     const ScannedFile* preamble_ = nullptr;

@@ -188,6 +188,7 @@ private:
         pairs[i].reason = weightier_reason(work.subject.source.reason, work.subject.target.reason);
         if (!pairs[i].reason.empty()) return;
         guess_alike(work);
+        give_variables(work.subject);
         if (work.subject.source.stood_in != work.subject.target.stood_in)
             pairs[i].reason = "the sides read bindings by different helpers";
     }
@@ -214,6 +215,15 @@ private:
                 one->elements = kGuessedElements;
             }
         }
+    }
+
+    /// What either side may write to of the variables that both have is compared afterwards.
+    static void give_variables(BySide<Subject>& subject) {
+        for (const Definition* ours : subject.source.variables)
+            for (const Definition* theirs : subject.target.variables)
+                if (ours->name == theirs->name && (may_write_to_variable(subject.source, ours->name) ||
+                                                   may_write_to_variable(subject.target, ours->name)))
+                    for (const Side side : kBothSides) subject[side].given.insert(ours->name);
     }
 
     /// The array whose length is a guess; "" for none.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/difftest/side_text.h"
 
+#include <algorithm>
+
 #include "porttool/difftest/old_style.h"
 #include "porttool/difftest/prelude.h"
 #include "porttool/text/is_one_of.h"
@@ -65,8 +67,7 @@ bool keeps_arguments(const Closure& closure, std::string_view callee) {
 }
 
 /// True where a function may write to what it calls `name`: by an assignment, or in a call that may.
-bool may_write(const Subject& subject, std::string_view name) {
-    const Definition& function = *subject.function;
+bool may_write(const Definition& function, const Closure& closure, std::string_view name) {
     const LexedText& lexed = function.file->lexed;
     const TokenRange body = function.unit->body;
     for (uint32_t i = body.first; i < body.end; ++i) {
@@ -76,7 +77,7 @@ bool may_write(const Subject& subject, std::string_view name) {
         const uint32_t next = behind_parts(lexed, i, body.end);
         if (is_assignment_sign(lexed.view(next)) || lexed.view(next) == "(") return true;
         const std::string_view callee = callee_around(lexed, body.first, i);
-        if (!keeps_arguments(subject.closure, callee)) return true;
+        if (!keeps_arguments(closure, callee)) return true;
     }
     return false;
 }
@@ -102,11 +103,21 @@ std::set<std::string, std::less<>> words_of_side(const Closure& closure) {
     return out;
 }
 
+bool may_write_to_variable(const Subject& subject, std::string_view name) {
+    if (may_write(*subject.function, subject.closure, name)) return true;
+    return std::any_of(subject.closure.pieces.begin(), subject.closure.pieces.end(), [&](const Piece& piece) {
+        const Definition& one = *piece.definition;
+        return one.kind == Definition::Kind::Function && one.unit != nullptr && piece.words.contains(name) &&
+               may_write(one, subject.closure, name);
+    });
+}
+
 TextOfSide text_of_side(const Subject& subject) {
     TextOfSide out;
     out.words = words_of_side(subject.closure);
     for (size_t i = 0; i < subject.parameters.size(); ++i)
-        if (!may_write(subject, subject.parameters[i].name)) out.unwritten.insert(static_cast<int>(i));
+        if (!may_write(*subject.function, subject.closure, subject.parameters[i].name))
+            out.unwritten.insert(static_cast<int>(i));
     return out;
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "porttool/difftest/old_style.h"
+#include "porttool/difftest/variable_type.h"
 
 namespace porttool {
 namespace {
@@ -68,17 +69,21 @@ public:
     }
 
 private:
-    /// Variables that both sides have under one name, of a type by a name that is a struct or a number.
+    /// Variables that both sides have under one name, of a type that a run can make.
     void supply_variables() {
-        std::map<std::string, std::string> known;
-        for (const Definition* one : source_.all_of(Definition::Kind::Variable))
-            known[one->name] = type_of_variable(*one);
-        for (const Definition* one : target_.all_of(Definition::Kind::Variable)) {
-            const auto other = known.find(one->name);
-            if (other == known.end() || other->second.empty() || type_of_variable(*one).empty()) continue;
-            stand_ins_.source.variables.insert(one->name);
-            stand_ins_.target.variables.insert(one->name);
-        }
+        BySide<std::set<std::string, std::less<>>> single, many;
+        for (const Side side : kBothSides)
+            for (const Definition* one : definitions(side).all_of(Definition::Kind::Variable)) {
+                const VariableType type = type_of_variable(*one);
+                if (!type.name.empty()) (type.is_single() ? single : many)[side].insert(one->name);
+            }
+        const auto supply = [&](const BySide<std::set<std::string, std::less<>>>& found, auto StandIns::*supplied) {
+            for (const std::string& name : found.source)
+                if (found.target.contains(name))
+                    for (const Side side : kBothSides) (stand_ins_[side].*supplied).insert(name);
+        };
+        supply(single, &StandIns::variables);
+        supply(many, &StandIns::arrays);
     }
 
     /// True where a side reads what is not supplied, or where the two do not read the same.

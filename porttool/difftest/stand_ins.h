@@ -24,8 +24,9 @@ struct StandIns {
     std::map<const Definition*, int> functions;
     /// The same where this side has nothing of the name that the scan could see, as a function that a macro makes.
     std::map<std::string, NamedAnswer, std::less<>> named;
-    /// Variables of plain data that both sides have under one name: they are inputs.
-    std::set<std::string, std::less<>> variables;
+    /// Variables of plain data that both sides have under one name: they are inputs. Of one value, and of many, for
+    /// which an answer of what reads them may stand as well.
+    std::set<std::string, std::less<>> variables, arrays;
 };
 
 /// True for a function that gives nothing.

@@ -120,6 +120,7 @@ Subject subject_of(const Definition& function, const Definitions& definitions, c
     if (!out.reason.empty()) return out;
     Supplied supplied;
     supplied.variables = stand_ins.variables;
+    supplied.arrays = stand_ins.arrays;
     for (const auto& [one, number] : stand_ins.functions)
         if (one != &function) supplied.functions.insert(one);
     out.closure = closure_of(function, definitions, supplied);

@@ -28,6 +28,7 @@ struct Subject {
     std::set<std::string, std::less<>> named;    ///< of those, the ones by a name
     bool has_notes = false;                      ///< some of those give nothing: what they are called with is compared
     std::vector<const Definition*> variables;    ///< that are inputs, by name
+    std::set<std::string, std::less<>> given;    ///< of these, the ones that either side may write to: outputs
     std::map<std::string, std::string> assumed;  ///< macros that nobody defines, and without which it is not there
     std::string reason;                          ///< why it cannot be run; "" if it can
 };

@@ -13,6 +13,7 @@
 #include "porttool/difftest/prelude.h"
 #include "porttool/difftest/side_text.h"
 #include "porttool/difftest/struct_visitor.h"
+#include "porttool/difftest/variable_type.h"
 
 namespace porttool {
 namespace {
@@ -26,6 +27,22 @@ std::string answer(const Definition& one, int number) {
     const std::string list = arguments.empty() ? "" : arguments.substr(2);
     return fmt::format("{{ return porttool_harness::answered<decltype({}({}))>({}{}); }}", one.name, list, number,
                        arguments);
+}
+
+/// The visitors of the variables that are inputs, and of those that are outputs, each under a number of its own.
+std::string globals_text(const Subject& subject) {
+    std::string taken, given;
+    int number = 9000;  // behind the parameters
+    for (const Definition* one : subject.variables) {
+        const std::string visit = fmt::format(" v.begin({}); porttool_harness::walk_variable(v, \"{}\", {});", number++,
+                                              one->name, one->name);
+        taken += visit;
+        if (subject.given.contains(one->name)) given += visit;
+    }
+    return fmt::format(
+        "struct PorttoolGlobals {{ static constexpr bool kHasNotes = {}; template <class V> void operator()(V& v) "
+        "const {{{} }} template <class V> void give(V& v) const {{{} }} }};\n",
+        subject.has_notes, taken, given);
 }
 
 }  // namespace
@@ -51,7 +68,7 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
                     pieces += prototype(*function, manner);
         if (one.kind == Definition::Kind::Function && prelude_names().contains(one.name)) used.insert(one.name);
         if (one.kind == Definition::Kind::Variable) {
-            pieces += std::string(type_of_variable(one)) + " " + one.name + ";\n";
+            pieces += declaration_of(one);
             continue;
         }
         const auto stand_in = stand_ins.functions.find(&one);
@@ -105,13 +122,7 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
     out += conditional;
     out += after;
     out += visitors;
-    out += fmt::format(
-        "struct PorttoolGlobals {{ static constexpr bool kHasNotes = {}; template <class V> void operator()(V& v) "
-        "const {{",
-        subject.has_notes);
-    for (const Definition* one : subject.variables)
-        out += fmt::format(" porttool_harness::walk(v, \"{0}\", {0});", one->name);
-    out += " } };\n";
+    out += globals_text(subject);
     std::string pointer = "&porttool_subject" + subject.template_arguments, types;
     bool is_typed = false;
     for (const SubjectParameter& parameter : subject.parameters) {

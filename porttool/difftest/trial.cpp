@@ -152,7 +152,7 @@ std::optional<double> Trial::wide_result(Side side, size_t record, size_t output
     const std::vector<Leaf>& leaves = wide_[side]->leaves.out;
     const size_t place = match_.out[output][side];
     const uint64_t* const row = &wide_out_[side][record * (leaves.size() + 1)];
-    if (row[0] != 0 || !leaves[place].is_real()) return std::nullopt;
+    if (row[0] == 1 || !leaves[place].is_real()) return std::nullopt;
     const double value = value_of(row[1 + place], leaves[place]);
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
@@ -177,7 +177,8 @@ std::optional<size_t> Trial::first_difference(size_t record) const {
 }
 
 Outcomes Trial::outcome(size_t record) const {
-    if (source_row(record)[0] != 0 || target_row(record)[0] != 0) return Outcomes::OutOfDomain;
+    // Sides that asked for many answers are held side by side where they asked for as many.
+    if (source_row(record)[0] == 1 || source_row(record)[0] != target_row(record)[0]) return Outcomes::OutOfDomain;
     if (first_difference(record)) return Outcomes::Differs;
     for (size_t i = 0; i < output_count(); ++i)
         if (!source_.leaves.out[match_.out[i].source].is_real() || !std::isnan(source_result(record, i)))

@@ -165,6 +165,49 @@ TEST_F(Audit, FollowsFoldersThatWereRenamedAndSidesThatSwappedRoles) {
     EXPECT_EQ(found[0]["commit"], fix);
 }
 
+// Dozens of files that are alike but for a name, all renamed at once, then all functions, then files that take each
+// other's names: an edit from before is found, and told once.
+TEST_F(Audit, ARenameStormHidesNoEdit) {
+    constexpr int files = 30;
+    const auto function = [](const std::string& what, int i) { return what + "_k" + std::to_string(i); };
+    const auto move = [&](const std::string& from, const std::string& to, int by) {
+        std::filesystem::rename(root / "gpu", root / "other");
+        std::filesystem::create_directory(root / "gpu");
+        for (int i = 0; i < files; ++i)
+            std::filesystem::rename(root / "other" / (function(from, i) + ".cu"),
+                                    root / "gpu" / (function(to, (i + by) % files) + ".cu"));
+        std::filesystem::rename(root / "other/shade.cu", root / "gpu/shade.cu");
+        std::filesystem::remove(root / "other");
+    };
+    for (int i = 0; i < files; ++i) {
+        write("gpu/" + function("a", i) + ".cu", replaced(kCudaShade, "shade", function("shade", i)));
+        write("cpu/" + function("a", i) + ".cpp", replaced(kCppShade, "shade", function("shade", i)));
+    }
+    commit("More", 2);
+    change("gpu/a_k7.cu", "level < 0.001f", "level < 0.0001f");
+    commit("Fix dark surfaces", 3);
+    const std::string fix = id_of_head();
+    move("a", "b", 0);
+    commit("Rename all files", 4);
+    for (const std::string side : {"gpu/b", "cpu/a"})
+        for (int i = 0; i < files; ++i)
+            change(function(side, i) + (side == "gpu/b" ? ".cu" : ".cpp"), function("shade", i), function("tint", i));
+    commit("Rename all functions", 5);
+    auto found = items();
+    ASSERT_EQ(found.size(), 1) << found;
+    EXPECT_EQ(found[0]["source"], "gpu/b_k7.cu:tint_k7");
+    EXPECT_EQ(found[0]["target"], "cpu/a_k7.cpp:tint_k7");
+    EXPECT_EQ(found[0]["commit"], fix);
+
+    // To git each of these files was edited: the item is there, the commit is that of the exchange.
+    move("b", "b", 1);
+    commit("Exchange the names", 6);
+    found = items();
+    ASSERT_EQ(found.size(), 1) << found;
+    EXPECT_EQ(found[0]["source"], "gpu/b_k8.cu:tint_k7");
+    EXPECT_EQ(found[0]["target"], "cpu/a_k7.cpp:tint_k7");
+}
+
 TEST_F(Audit, WhatThePortSaysInOtherWordsHasArrived) {
     change("gpu/shade.cu", "    if (level", "    level *= albedo;\n    if (level");
     commit("Fix the level", 2);
@@ -908,6 +951,11 @@ TEST_F(Audit, SaysWhatItNeeds) {
     const CommandRun limit = audit({"--limit", "none"});
     EXPECT_EQ(limit.exit_code, 2);
     EXPECT_NE(limit.err.find("--limit none"), std::string::npos) << limit.err;
+    git("checkout -q --orphan empty");
+    const CommandRun no_commit = audit();
+    EXPECT_EQ(no_commit.exit_code, 2);
+    EXPECT_NE(no_commit.err.find("names no commit yet"), std::string::npos) << no_commit.err;
+    EXPECT_EQ(no_commit.out, "");
     std::filesystem::remove_all(root / ".git");
     const CommandRun no_git = audit();
     EXPECT_EQ(no_git.exit_code, 2);

@@ -6,7 +6,8 @@
 //     PROGRAM run N INPUTS OUTPUTS   function N on every record of INPUTS
 //
 // A record is one slot of eight bytes a number, an output record has a slot before them: 0, or 1 where the function did
-// not come back (a division by zero, a wild pointer, a loop without end).
+// not come back (a division by zero, a wild pointer, a loop without end), or how many answers it got where these were
+// so many that the last were all alike.
 #pragma once
 
 #include <fcntl.h>
@@ -345,10 +346,34 @@ void walk(V& v, const char* name, T& x) {
     v.leave(before);
 }
 
+/// A variable of the file: one of the system's, as a lock or a jump buffer, stays empty.
+template <class V, class T>
+void walk_variable(V& v, const char* name, T& x) {
+    using Bare = std::remove_cv_t<std::remove_all_extents_t<T>>;
+    if constexpr (std::is_pointer_v<Bare>) {
+        if constexpr (kIsHeld<V, std::remove_cv_t<std::remove_pointer_t<Bare>>>) walk(v, name, x);
+    } else {
+        walk_unnamed(v, name, x);
+    }
+}
+
+// ---- What ends a call from within ----
+
+inline sigjmp_buf came_back;
+inline volatile sig_atomic_t inside = 0, ticks = 0;
+
+/// The call does not come back; does nothing outside of one.
+inline void leave_call() {
+    if (inside) siglongjmp(came_back, 1);
+}
+
 // ---- Functions that others stand in for ----
 
 /// What they answer depends on this number of the record, on which of them is asked, and on what it is asked.
 inline uint64_t answers = 0;
+inline int answer_count = 0;        ///< in this record
+constexpr int kPlentyAnswers = 64;  ///< who asks more than that gets nothing but ends of lists
+constexpr int kMostAnswers = 2000;  ///< and more than that, goes on for ever
 
 struct Hasher {
     uint64_t state;
@@ -373,15 +398,24 @@ struct Answerer {
     void number(T& x) {
         hash.take(1);
         const uint64_t bits = hash.state >> 20;
+        if (answer_count > kPlentyAnswers) {
+            if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
+                x = static_cast<T>(~uint64_t{0});
+            else
+                x = T{};
+            return;
+        }
         if constexpr (std::is_same_v<T, bool>)
             x = (bits & 1) != 0;
         else if constexpr (std::is_enum_v<T>)
             x = static_cast<T>(bits % 4);
         else if constexpr (std::is_integral_v<T>)
-            x = static_cast<T>(bits % 3 == 0 ? bits >> 4 : (bits >> 4) % 16);
+            // All ones often mean that there is nothing: by them loops over a list end.
+            x = static_cast<T>(bits % 16 == 7 ? ~uint64_t{0} : bits % 3 == 0 ? bits >> 4 : (bits >> 4) % 16);
         else {
             const double unit = static_cast<double>((bits >> 4) & 0xffffff) * 0x1p-24;
-            x = static_cast<T>(bits % 3 == 0 ? 2 * unit - 1 : unit);
+            // A mark that is off, or a word of zeros, behind which other branches lie.
+            x = static_cast<T>(bits % 8 == 7 ? 0 : bits % 3 == 0 ? 2 * unit - 1 : unit);
         }
     }
     void unusable(const char*) {}
@@ -390,6 +424,7 @@ struct Answerer {
 /// The answer of function `number`: the same on both sides for the same arguments.
 template <class R, class... A>
 R answered(int number, A... arguments) {
+    if (++answer_count > kMostAnswers) leave_call();
     Hasher hash{0x243f6a8885a308d3ull};
     hash.take(answers);
     hash.take(static_cast<uint64_t>(number));
@@ -513,11 +548,8 @@ requires(!std::is_pointer_v<std::remove_cvref_t<A>>) struct Holder<A> {
     A pass() { return static_cast<A>(*value); }
 };
 
-inline sigjmp_buf came_back;
-inline volatile sig_atomic_t inside = 0, ticks = 0;
-
 inline void on_trap(int) {
-    if (inside) siglongjmp(came_back, 1);
+    leave_call();
     _exit(3);
 }
 /// Records that took too long: after so many the function is taken for one that does not come back.
@@ -561,6 +593,7 @@ inline void run_records(Frame& frame, const uint64_t* in, size_t in_slots, uint6
         load_all(frame.in, in);
         answers = frame.in.place_count < in_slots ? in[frame.in.place_count] : 0;
         out[0] = 1;
+        answer_count = 0;
         if (frame.has_notes) {
             std::memset(notes, 0, sizeof notes);
             note_count = 0;
@@ -571,13 +604,26 @@ inline void run_records(Frame& frame, const uint64_t* in, size_t in_slots, uint6
             frame.call(frame);
             inside = 0;
             store_all(frame.out, out + 1);
-            out[0] = 0;
+            out[0] = answer_count > kPlentyAnswers ? static_cast<uint64_t>(answer_count) : 0;
         } else {
             inside = 0;
             for (size_t i = 1; i < out_slots; ++i) out[i] = 0;
         }
     }
 }
+
+}  // namespace porttool_harness
+
+/// Who ends the program gives no answer: exit() of all subjects leads here, as the linker is told.
+extern "C" {
+[[noreturn]] void __real_exit(int code);
+[[noreturn]] inline __attribute__((used)) void __wrap_exit(int code) {
+    porttool_harness::leave_call();
+    __real_exit(code);
+}
+}
+
+namespace porttool_harness {
 
 /// Parameter `I`: std::tuple would take longer to compile.
 template <size_t I, class A>
@@ -593,7 +639,7 @@ struct Result {
     Holder<std::conditional_t<kUsable, R, int>> holder{1};
 };
 
-/// `Globals` visits the variables that are inputs.
+/// `Globals` visits the variables that are inputs, and by `give` those of them that are outputs.
 template <class Globals, class Numbers, class R, class... A>
 struct Runner;
 template <class Globals, size_t... I, class R, class... A>
@@ -611,15 +657,15 @@ struct Runner<Globals, std::index_sequence<I...>, R, A...> : Frame, Held<I, A>..
 
     void visit_inputs(const Param* params, const Globals& globals) {
         (visit(in, static_cast<int>(I), params[I].name, Held<I, A>::holder), ...);
-        in.begin(9000);
         globals(in);
     }
-    void visit_outputs(const Param* params) {
+    void visit_outputs(const Param* params, const Globals& globals) {
         if constexpr (Result<Given>::kUsable)
             visit(out, -1, "", result.holder);
         else if constexpr (!std::is_void_v<R>)
             out.unusable("returned");
         (visit_output<I, A>(params), ...);
+        globals.give(out);
     }
 
 private:
@@ -655,7 +701,7 @@ void list(R (*function)(A...), const Param* params, const Globals& globals, bool
     Runner<Globals, std::index_sequence_for<A...>, R, A...> runner(function, params, true);
     runner.visit_inputs(params, globals);
     if (has_answers) std::printf("in 9999 u4 (answers)\n");
-    runner.visit_outputs(params);
+    runner.visit_outputs(params, globals);
     if (Globals::kHasNotes)
         for (int i = 0; i < kNotes; ++i) std::printf("out 9500 f4 (calls)[%d]\n", i);
 }
@@ -664,7 +710,7 @@ void run(R (*function)(A...), const Param* params, const Globals& globals, const
          uint64_t* out, size_t out_slots, size_t records) {
     Runner<Globals, std::index_sequence_for<A...>, R, A...> runner(function, params, false);
     runner.visit_inputs(params, globals);
-    runner.visit_outputs(params);
+    runner.visit_outputs(params, globals);
     if (Globals::kHasNotes)
         for (float& note : notes) runner.out.number(note);
     run_records(runner, in, in_slots, out, out_slots, records);
