@@ -140,8 +140,11 @@ Status CheckedCore::Render(const ViewPyramid& view, Convergence convergence, uin
         if (!status.ok()) return status;
         stats_.triangles = contract_.triangles();
         if (convergence == Convergence::Restart) drop_samples();
-        status = render(view, samples);
+        CallOff call_off(target_.is_called_off);
+        status = call_off.status();
+        if (status.ok()) status = render(view, samples, call_off);
         if (status.ok()) stats_.samples += samples;
+        if (status.code == StatusCode::called_off) drop_samples();
         return status;
     });
 }

@@ -82,7 +82,8 @@ private:
     /// Builds and uploads what was set since the last call. Fails as Render may.
     virtual Status prepare() = 0;
     /// Adds `samples` samples to the stats().samples there are, writes the mean to target() and counts rays and times.
-    virtual Status render(const ViewPyramid& view, uint32_t samples) = 0;
+    /// Answers call_off.status() soon after that came.
+    virtual Status render(const ViewPyramid& view, uint32_t samples, CallOff& call_off) = 0;
     /// Takes the noise out of filter.means, into filter.filtered; the scene is that of the last render. Answers
     /// call_off.status() soon after that came; what read_history() reads is then that of before.
     virtual Status filter(const ViewPyramid& view, const CoreFilter& filter, CallOff& call_off) = 0;

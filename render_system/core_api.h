@@ -70,7 +70,8 @@ public:
     /// Takes `samples` more samples per pixel, at least 1, and writes the mean of all to the target. What has been set
     /// since the last call is built and uploaded first; out_of_memory is answered before anything is uploaded. Fails
     /// with wrong_order without a target, invalid_argument on 0 samples, dangling ids, or a view or placed mesh past
-    /// the limits in scene_limits.h.
+    /// the limits in scene_limits.h. Answers called_off soon after the target says that it is not wanted any more; the
+    /// samples taken are dropped then.
     virtual Status Render(const ViewPyramid& view, Convergence convergence, uint32_t samples) = 0;
 
     /// Takes noise out of a picture of the scene and view rendered last, by albedo, normal and depth of what the camera

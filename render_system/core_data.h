@@ -217,6 +217,9 @@ struct CoreTarget {
     std::span<PixelSum> sums = {};
     std::span<double> squares = {};  ///< none, or as many as `sums`: of luminance, squared
     uint32_t first_pixel = 0;
+    /// Not empty: whether Render is still wanted, asked as that of CoreFilter. Where it is not, what `pixels` and
+    /// `sums` hold is the core's affair.
+    std::function<bool()> is_called_off = {};
 };
 
 /// What a filter makes of earlier frames.

@@ -22,9 +22,11 @@ public:
     virtual ~HotKernels() = default;
 
     /// Reads the texts of the kernels again and compiles those kernels of which one became another, itself or what it
-    /// includes. The next Render runs them, from the first sample on. One thread may call this while another drives the
-    /// core, from the end of Init to the beginning of Shutdown. Fails with not_found where a text is missing, and with
-    /// internal and the compiler's first messages, each with file and line; the kernels that were there then go on.
+    /// includes. The next Render runs them, from the first sample on; before the first one, which compiles all of them
+    /// for its scene, they are compiled to see that they do, and the first call looks at all of them. One thread may
+    /// call this while another drives the core, from the end of Init to the beginning of Shutdown. Fails with not_found
+    /// where a text is missing, and with internal and the compiler's first messages, each with file and line; the
+    /// kernels that were there then go on.
     virtual Result<RecompiledKernels> compile_again() = 0;
 };
 

@@ -25,7 +25,7 @@ private:
     void set_instance(uint32_t, uint32_t, const CoreTransform&) override {}
     Status prepare() override { return Status::success(); }
 
-    Status render(const ViewPyramid&, uint32_t samples) override {
+    Status render(const ViewPyramid&, uint32_t samples, CallOff&) override {
         stats().primary_rays += uint64_t{samples} * target().pixels.size();
         std::fill(target().pixels.begin(), target().pixels.end(), glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
         return Status::success();

@@ -80,7 +80,7 @@ private:
         scene_.set_instance(instance, mesh, transform);
     }
     Status prepare() override;
-    Status render(const ViewPyramid& view, uint32_t samples) override;
+    Status render(const ViewPyramid& view, uint32_t samples, CallOff& call_off) override;
     Status filter(const ViewPyramid& view, const CoreFilter& filter, CallOff& call_off) override;
     Status read_history(std::vector<float>& planes) override;
     Status write_history(std::span<const float> planes) override;
@@ -93,13 +93,13 @@ private:
     Status upload();
     Status size_wavefront();
     Status find_kernels();
-    Status render_batches(const Settings& settings, uint32_t samples);
+    Status render_batches(const Settings& settings, uint32_t samples, CallOff& call_off);
     Status render_batch(const Settings& settings, const BatchPass& batch, std::span<glm::vec4> pixels,
-                        WavefrontCounts& counts);
+                        CallOff& call_off, WavefrontCounts& counts);
     void bind_filter(const Settings& settings);
     Status gather_guides(const Settings& settings, BatchPass batch, CallOff& call_off);
     Status prepare_filter(const Settings& settings, const CoreFilter& filter, CallOff& call_off);
-    Status sum_batch(const Settings& settings, BatchPass batch, WavefrontCounts& counts);
+    Status sum_batch(const Settings& settings, BatchPass batch, CallOff& call_off, WavefrontCounts& counts);
     Status name_primitives();
     Settings frame_settings(const ViewPyramid& view) const;
     Settings filter_settings(const ViewPyramid& view) const;
@@ -368,12 +368,12 @@ Settings SourceCore::filter_settings(const ViewPyramid& view) const {
 
 // Runs a batch and reads the mean of what its accumulator holds into `pixels`.
 Status SourceCore::render_batch(const Settings& frame, const BatchPass& batch, std::span<glm::vec4> pixels,
-                                WavefrontCounts& counts) {
+                                CallOff& call_off, WavefrontCounts& counts) {
     const KernelSet& kernels = *gpu_->kernels_in_use;
     gpu_->wavefront->bind(*gpu_->device, kernels, variant_, gpu_->scene, frame, batch);
     Status status = watch() ? gpu_->wavefront->run_watched(*gpu_->device, kernels, batch, *gpu_->staging, primitives_,
                                                            *watch(), counts)
-                            : gpu_->wavefront->run(*gpu_->device, kernels, batch, counts);
+                            : gpu_->wavefront->run(*gpu_->device, kernels, batch, call_off, counts);
     if (!status.ok()) {
         return status;
     }
@@ -381,7 +381,7 @@ Status SourceCore::render_batch(const Settings& frame, const BatchPass& batch, s
 }
 
 // The same sample by sample, each added to the sums while the next one is taken.
-Status SourceCore::sum_batch(const Settings& frame, BatchPass batch, WavefrontCounts& counts) {
+Status SourceCore::sum_batch(const Settings& frame, BatchPass batch, CallOff& call_off, WavefrontCounts& counts) {
     const uint32_t samples = std::exchange(batch.samples, 1);
     const uint32_t place = batch.first_pixel - target().first_pixel;
     SampleAdder adder(target().sums.subspan(place, batch.path_count),
@@ -389,7 +389,7 @@ Status SourceCore::sum_batch(const Settings& frame, BatchPass batch, WavefrontCo
                       target().pixels.subspan(batch.first_pixel, batch.path_count), options().threads);
     batch.samples_before = 0;
     for (uint32_t i = 0; i < samples; ++i, ++batch.first_sample) {
-        Status status = render_batch(frame, batch, adder.room(), counts);
+        Status status = render_batch(frame, batch, adder.room(), call_off, counts);
         if (!status.ok()) {
             return status;
         }
@@ -398,7 +398,7 @@ Status SourceCore::sum_batch(const Settings& frame, BatchPass batch, WavefrontCo
     return Status::success();
 }
 
-Status SourceCore::render_batches(const Settings& frame, uint32_t samples) {
+Status SourceCore::render_batches(const Settings& frame, uint32_t samples, CallOff& call_off) {
     const WavefrontSize& size = gpu_->wavefront->size();
     const bool sums = !target().sums.empty();
     const uint64_t end = sums ? target().first_pixel + target().sums.size() : size.pixels;
@@ -411,7 +411,8 @@ Status SourceCore::render_batches(const Settings& frame, uint32_t samples) {
         batch.first_sample = settings().first_sample + batch.samples_before;
         batch.samples = samples;
         const std::span<glm::vec4> pixels = target().pixels.subspan(batch.first_pixel, batch.path_count);
-        Status status = sums ? sum_batch(frame, batch, counts) : render_batch(frame, batch, pixels, counts);
+        Status status =
+            sums ? sum_batch(frame, batch, call_off, counts) : render_batch(frame, batch, pixels, call_off, counts);
         if (!status.ok()) {
             return status;
         }
@@ -428,11 +429,11 @@ Status SourceCore::render_batches(const Settings& frame, uint32_t samples) {
     return Status::success();
 }
 
-Status SourceCore::render(const ViewPyramid& view, uint32_t samples) {
+Status SourceCore::render(const ViewPyramid& view, uint32_t samples, CallOff& call_off) {
     const Clock::time_point start = Clock::now();
     Status status = watch() ? name_primitives() : Status::success();
     if (status.ok()) {
-        status = render_batches(frame_settings(view), samples);
+        status = render_batches(frame_settings(view), samples, call_off);
     }
     stats().total_ms += milliseconds_since(start);
     return status.ok() ? gpu_->instance->validation_status() : status;

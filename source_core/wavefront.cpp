@@ -205,7 +205,8 @@ void Wavefront::bind_set(const Device& device, const KernelSet& kernels, const K
     vkUpdateDescriptorSets(device.handle(), BINDING_COUNT, writes.data(), 0, nullptr);
 }
 
-Status Wavefront::run(const Device& device, const KernelSet& kernels, const BatchPass& batch, WavefrontCounts& counts) {
+Status Wavefront::run(const Device& device, const KernelSet& kernels, const BatchPass& batch,
+                      render_system::CallOff& call_off, WavefrontCounts& counts) {
     const bool in_one = max_path_length_ <= SEGMENTS_PER_SUBMISSION;
     uint32_t done = 0;
     while (done < batch.samples) {
@@ -215,6 +216,9 @@ Status Wavefront::run(const Device& device, const KernelSet& kernels, const Batc
         Span span{done, std::min(samples, batch.samples - done), 0, 0, false};
         const auto start = std::chrono::steady_clock::now();
         while (!span.finalize) {
+            if (call_off.came()) {
+                return call_off.status();
+            }
             span.last_segment = std::min(max_path_length_, span.first_segment + SEGMENTS_PER_SUBMISSION);
             span.finalize = span.last_segment == max_path_length_;
             Status status = run_span(device, kernels, batch, span, counts);

@@ -67,8 +67,10 @@ public:
     void bind(const Device& device, const KernelSet& kernels, const KernelVariant& variant, const SceneBuffers& scene,
               const Settings& settings, const BatchPass& batch) const;
 
-    /// Runs a batch and adds to `counts`. Work is cut into submissions of a fraction of a second.
-    Status run(const Device& device, const KernelSet& kernels, const BatchPass& batch, WavefrontCounts& counts);
+    /// Runs a batch and adds to `counts`. Work is cut into submissions of a fraction of a second; it asks before each
+    /// whether it is called off.
+    Status run(const Device& device, const KernelSet& kernels, const BatchPass& batch, render_system::CallOff& call_off,
+               WavefrontCounts& counts);
 
     /// As run, kernel by kernel, with the paths shown to `watch` after each. `primitives` gives the triangle in its
     /// mesh of each slot of the table of triangles.

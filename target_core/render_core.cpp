@@ -74,7 +74,7 @@ private:
     void set_instance(uint32_t instance, uint32_t mesh, const CoreTransform& transform) override;
     Status prepare() override;
     Status reach_for(const ViewPyramid& view);
-    Status render(const ViewPyramid& view, uint32_t samples) override;
+    Status render(const ViewPyramid& view, uint32_t samples, CallOff& call_off) override;
     Status filter(const ViewPyramid& view, const CoreFilter& filter, CallOff& call_off) override;
     Status read_history(std::vector<float>& planes) override;
     Status write_history(std::span<const float> planes) override;
@@ -335,7 +335,7 @@ Frame TargetCore::frame_of(const ViewPyramid& view) {
     return frame;
 }
 
-Status TargetCore::render(const ViewPyramid& view, uint32_t samples) {
+Status TargetCore::render(const ViewPyramid& view, uint32_t samples, CallOff& call_off) {
     auto start = std::chrono::steady_clock::now();
     if (const Status status = reach_for(view); !status.ok()) return status;
     std::optional<RayLog> log;
@@ -352,6 +352,7 @@ Status TargetCore::render(const ViewPyramid& view, uint32_t samples) {
     frame.pixel_count = static_cast<uint>(target().sums.empty() ? target().pixels.size() : target().sums.size());
     frame.sums = target().sums;
     frame.squares = target().squares;
+    frame.call_off = &call_off;
     FrameStats rendered;
     arena_->execute([&] { rendered = render_frame(frame, workers_, log ? &*log : nullptr); });
     double threads = stats().threads;
@@ -369,7 +370,7 @@ Status TargetCore::render(const ViewPyramid& view, uint32_t samples) {
     if (log) {
         arena_->execute([&] { limit_ms_ = log->replay(embree_.device(), embree_.scene()); });
     }
-    return Status::success();
+    return call_off.status();
 }
 
 uint64_t TargetCore::host_bytes() const {

@@ -14,6 +14,7 @@ namespace {
 
 using render_system::Convergence;
 using render_system::CoreStats;
+using render_system::CoreTarget;
 using render_system::Status;
 using render_system::StatusCode;
 
@@ -35,6 +36,14 @@ double pass_ms(FilterMode filter) { return filter == FilterMode::none ? PASS_MS 
 
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Whether a pass has gone by since it was first asked, which a core does when all is built and before it traces.
+std::function<bool()> after_a_pass() {
+    return [start = std::optional<Clock::time_point>()]() mutable {
+        if (!start) start = Clock::now();
+        return ms_since(*start) > PASS_MS;
+    };
 }
 
 }  // namespace
@@ -87,6 +96,11 @@ void CoreWorker::retry() {
         status_ = Status::success();
     }
     wake_.notify_all();
+}
+
+bool CoreWorker::was_needed() {
+    const std::lock_guard lock(mutex_);
+    return wanted_.number > 0;
 }
 
 std::optional<render_system::Result<render_system::RecompiledKernels>> CoreWorker::compile_again() {
@@ -169,9 +183,9 @@ bool CoreWorker::ends() {
     return ends_;
 }
 
-bool CoreWorker::is_called_away(const Request& request) {
+bool CoreWorker::is_called_away(uint64_t request) {
     const std::lock_guard lock(mutex_);
-    return ends_ || !runs_ || wanted_.number != request.number;
+    return ends_ || !runs_ || wanted_.number != request;
 }
 
 Status CoreWorker::draw(const Request& request, bool fresh) {
@@ -182,7 +196,7 @@ Status CoreWorker::draw(const Request& request, bool fresh) {
         was_coarse_ = first_picture_ms(request) > pass_ms(request.filter);
         if (was_coarse_)
             if (Status status = draw_coarsely(request); !status.ok()) return status;
-        if (is_called_away(request) || (was_coarse_ && waits_for_more(request))) return Status::success();
+        if (is_called_away(request.number) || (was_coarse_ && waits_for_more(request))) return Status::success();
     }
     // What seemed slow, as a first sample does, may not be.
     if (in_parts_ && samples_ > 0 && sample_ms_ < LONG_SAMPLE_MS / 2) {
@@ -193,14 +207,28 @@ Status CoreWorker::draw(const Request& request, bool fresh) {
 }
 
 /// The core's target is the picture of this request, or a part of its size.
-Status CoreWorker::point_at(const Request& request, uint32_t divisor) {
+Status CoreWorker::point_at(const Request& request, uint32_t divisor, std::function<bool()> is_called_off) {
     const uint32_t width = std::max(1U, request.width / divisor), height = std::max(1U, request.height / divisor);
     auto target = std::make_unique<Picture>(width, height);
-    if (Status status = core_->SetTarget({width, height, target->pixels}); !status.ok()) return status;
+    const CoreTarget all{
+        .width = width, .height = height, .pixels = target->pixels, .is_called_off = std::move(is_called_off)};
+    if (Status status = core_->SetTarget(all); !status.ok()) return status;
     target_ = std::move(target);
     render_system::CoreSettings settings = settings_;
     settings.first_sample += first_sample(request);
     return core_->Setting(settings);
+}
+
+/// For a core, whose target outlives the request.
+std::function<bool()> CoreWorker::away_from(const Request& request) {
+    return [this, number = request.number] { return is_called_away(number); };
+}
+
+/// What a core answers in mid-sample: it begins anew with the next request.
+Status CoreWorker::called_away(const Status& status) {
+    if (status.code != StatusCode::called_off) return status;
+    samples_ = 0;
+    return Status::success();
 }
 
 /// Each view has samples of its own where a history goes through them: of the same ones nothing more would be learned.
@@ -259,7 +287,7 @@ Status CoreWorker::filter(const Request& request, Picture& picture, uint32_t sam
                        .filtered = picture.pixels,
                        .history = remembers ? render_system::FilterHistory::go_on : render_system::FilterHistory::none,
                        .most_rays = rays,
-                       .is_called_off = [&] { return first ? ends() : is_called_away(request); }});
+                       .is_called_off = [&] { return first ? ends() : is_called_away(request.number); }});
     if (status.code == StatusCode::out_of_memory) {  // noise is better than no picture
         unfiltered_ = explain(status);
         filter_ms_ = 0.0;
@@ -292,18 +320,26 @@ double CoreWorker::first_picture_ms(const Request& request) const {
 }
 
 Status CoreWorker::draw_coarsely(const Request& request) {
+    constexpr uint32_t COARSEST = 16;
     uint32_t divisor = 2;
-    while (divisor < 8 && first_picture_ms(request) > pass_ms(request.filter) * divisor * divisor) divisor *= 2;
+    while (divisor < COARSEST && first_picture_ms(request) > pass_ms(request.filter) * divisor * divisor) divisor *= 2;
     const auto start = Clock::now();
-    if (Status status = point_at(request, divisor); !status.ok()) return status;
-    if (Status status = core_->Render(request.view, Convergence::Restart, 1); !status.ok()) return status;
-    return show_drawn(request, *target_, core_->GetCoreStats(), true, ms_since(start));
+    Status status = Status::success();
+    do {  // what one takes may be ten times what it took in the view before
+        status = point_at(request, divisor, divisor < COARSEST ? after_a_pass() : std::function<bool()>());
+        if (status.ok()) status = core_->Render(request.view, Convergence::Restart, 1);
+        divisor *= 2;
+    } while (status.code == StatusCode::called_off);
+    if (!status.ok()) return status;
+    const CoreStats taken = core_->GetCoreStats();
+    sample_ms_ = taken.total_ms * request.width * request.height / static_cast<double>(target_->pixels.size());
+    return show_drawn(request, *target_, taken, true, ms_since(start));
 }
 
 /// As many as take no longer than a pass may.
 Status CoreWorker::take_samples(const Request& request) {
     if (samples_ == 0)
-        if (Status status = point_at(request, 1); !status.ok()) return status;
+        if (Status status = point_at(request, 1, away_from(request)); !status.ok()) return status;
     const auto together =
         static_cast<uint32_t>(std::clamp(pass_ms(request.filter) / std::max(sample_ms_, 1e-3), 1.0, 64.0));
     uint32_t samples = samples_ == 0 ? 1 : std::min(together, most_samples_ - samples_);
@@ -312,7 +348,7 @@ Status CoreWorker::take_samples(const Request& request) {
     const CoreStats before = samples_ == 0 ? CoreStats() : core_->GetCoreStats();
     const auto start = Clock::now();
     const Convergence convergence = samples_ == 0 ? Convergence::Restart : Convergence::Converge;
-    if (Status status = core_->Render(request.view, convergence, samples); !status.ok()) return status;
+    if (Status status = core_->Render(request.view, convergence, samples); !status.ok()) return called_away(status);
     const double took_ms = ms_since(start);
     sample_ms_ = took_ms / samples;
     CoreStats taken = core_->GetCoreStats();
@@ -329,7 +365,7 @@ Status CoreWorker::take_sample_in_parts(const Request& request) {
     const uint32_t width = request.width, height = request.height;
     const size_t pixels = size_t{width} * height;
     if (samples_ == 0) {
-        if (Status status = point_at(request, 1); !status.ok()) return status;
+        if (Status status = point_at(request, 1, away_from(request)); !status.ok()) return status;
         sample_.assign(pixels, glm::vec4(0.0f));
         sum_ = sample_;
     }
@@ -342,11 +378,12 @@ Status CoreWorker::take_sample_in_parts(const Request& request) {
     CoreStats taken;
     const auto start = Clock::now();
     for (size_t first = 0; first < pixels; first += length) {
-        if (first > 0 && is_called_away(request)) return Status::success();
+        if (first > 0 && is_called_away(request.number)) return Status::success();
         part_.assign(std::min(length, pixels - first), {});
-        Status status = core_->SetTarget({width, height, target_->pixels, part_, {}, static_cast<uint32_t>(first)});
+        Status status = core_->SetTarget(
+            {width, height, target_->pixels, part_, {}, static_cast<uint32_t>(first), away_from(request)});
         if (status.ok()) status = core_->Render(request.view, Convergence::Restart, 1);
-        if (!status.ok()) return status;
+        if (!status.ok()) return called_away(status);
         for (size_t i = 0; i < part_.size(); ++i) sample_[first + i] = glm::vec4(mean_of(part_[i], 1), 1.0f);
         const CoreStats now = core_->GetCoreStats();
         taken.primary_rays += now.primary_rays;

@@ -35,8 +35,8 @@ struct CorePicture {
 };
 
 /// One core in a thread of its own: it draws the view asked for last, sample after sample; where one takes long, a
-/// coarse pass comes first, and the others are taken part by part, so that the next request never waits for a whole
-/// one.
+/// coarse pass comes first. The next request calls the others off, and as a core may have no ear for that while it is
+/// at work, they are taken part by part, so that it never waits for a whole one.
 class CoreWorker {
 public:
     /// Opens the core and gives it the scene; called once, in the worker's thread, when the core is first needed.
@@ -62,6 +62,9 @@ public:
     render_system::Status status();
     /// Tries once more what failed.
     void retry();
+
+    /// False until it was first asked to show something: only then the core is opened.
+    bool was_needed();
 
     /// Has the core compile its kernels again (render_system/hot_kernels.h); may be called from another thread. None
     /// where it has no such kernels or is not open yet.
@@ -93,7 +96,8 @@ private:
     render_system::Status draw_coarsely(const Request& request);
     render_system::Status take_samples(const Request& request);
     render_system::Status take_sample_in_parts(const Request& request);
-    render_system::Status point_at(const Request& request, uint32_t divisor);
+    render_system::Status point_at(const Request& request, uint32_t divisor, std::function<bool()> is_called_off);
+    std::function<bool()> away_from(const Request& request);
     uint32_t first_sample(const Request& request) const;
     double first_picture_ms(const Request& request) const;
     render_system::Status filter(const Request& request, Picture& picture, uint32_t samples, bool first);
@@ -102,7 +106,8 @@ private:
     bool is_to_be_shown(const Request& request) const;
     bool waits_for_more(const Request& request);
     bool ends();
-    bool is_called_away(const Request& request);
+    bool is_called_away(uint64_t request);
+    render_system::Status called_away(const render_system::Status& status);
     render_system::Status show_drawn(const Request& request, Picture picture, const render_system::CoreStats& taken,
                                      bool coarse, double took_ms);
 
@@ -128,7 +133,7 @@ private:
     OpenedCore core_;
     std::unique_ptr<Picture> target_;
     uint32_t samples_ = 0;    // of the request that is drawn
-    double sample_ms_ = 1e9;  // of one sample of the whole picture
+    double sample_ms_ = 1e3;  // of one sample of the whole picture; until one was taken, a guess
     double filter_ms_ = 0.0;  // of filtering it; 0 before it was
     std::string unfiltered_;  // why it is not
     bool in_parts_ = false;

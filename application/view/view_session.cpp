@@ -50,7 +50,9 @@ ViewSession::ViewSession(const Options& options, SceneSetup setup, ViewLog& log)
 void ViewSession::watch_files() {
     std::vector<CoreWorker*> workers;
     for (const auto& worker : workers_) workers.push_back(worker.get());
-    if (!options_.kernels.empty()) kernel_reload_ = std::make_unique<KernelReload>(options_.kernels, workers);
+    if (!options_.kernels.empty())
+        kernel_reload_ = std::make_unique<KernelReload>(options_.kernels, workers,
+                                                        [this](const std::string& id) { return open_bare_core(id); });
     for (const std::filesystem::path& folder : render_system::module_folders()) {
         std::error_code error;
         if (std::filesystem::is_directory(folder, error))
@@ -58,13 +60,19 @@ void ViewSession::watch_files() {
     }
 }
 
-/// The cores take turns at the one host scene: each is sent all of it, and keeps it. What moves each has of its own.
-Result<OpenedCore> ViewSession::open_core(const std::string& id) {
-    const std::lock_guard lock(scene_mutex_);
+Result<std::unique_ptr<CoreAPI>> ViewSession::open_bare_core(const std::string& id) {
     auto core = registry_.CreateCoreAPI(id);
     if (!core.ok()) return core.status;
     if (Status status = (*core)->Init({.threads = options_.threads, .exact = options_.exact}); !status.ok())
         return status;
+    return core;
+}
+
+/// The cores take turns at the one host scene: each is sent all of it, and keeps it. What moves each has of its own.
+Result<OpenedCore> ViewSession::open_core(const std::string& id) {
+    const std::lock_guard lock(scene_mutex_);
+    auto core = open_bare_core(id);
+    if (!core.ok()) return core.status;
     if (Status status = (*core)->Setting(core_settings(options_, options_.seed)); !status.ok()) return status;
     if (is_animated()) {
         OpenedCore own{nullptr, std::make_unique<render_system::RenderSystem>(system_.scene())};

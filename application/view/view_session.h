@@ -96,6 +96,7 @@ public:
 
 private:
     render_system::Result<OpenedCore> open_core(const std::string& id);
+    render_system::Result<std::unique_ptr<render_system::CoreAPI>> open_bare_core(const std::string& id);
     void show_moment(double seconds);
     void note_input(const char* kind);
     void await(size_t core, double since_ms);

@@ -34,6 +34,29 @@ uint32_t utf16_length(std::string_view text) {
     return units;
 }
 
+Utf16Counts::Utf16Counts(std::string_view text) : text_(text) {
+    constexpr size_t kApart = 4096;
+    Mark at;
+    for (size_t next = kApart; at.offset < text.size();) {
+        const CharacterSize first = first_character(text.substr(at.offset));
+        at.offset += first.bytes;
+        at.units += first.units;
+        if (at.offset < next) continue;
+        marks_.push_back(at);
+        next = at.offset + kApart;
+    }
+}
+
+uint32_t Utf16Counts::between(size_t first, size_t end) const {
+    const auto is_before = [](const Mark& mark, size_t offset) { return mark.offset < offset; };
+    const auto low = std::lower_bound(marks_.begin(), marks_.end(), first, is_before);
+    const auto behind = std::lower_bound(low, marks_.end(), end, is_before);
+    if (low == behind) return utf16_length(text_.substr(first, end - first));
+    const Mark &from = *low, &to = *(behind - 1);
+    return utf16_length(text_.substr(first, from.offset - first)) + (to.units - from.units) +
+           utf16_length(text_.substr(to.offset, end - to.offset));
+}
+
 TextPlaces::TextPlaces(std::string_view text) : text_(text), starts_{0} {
     for (size_t i = 0; i < text.size(); ++i) {
         if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') continue;

@@ -24,6 +24,24 @@ struct Range {
 /// How many UTF-16 code units a text has. A byte that is no UTF-8 counts for one, as U+FFFD does.
 uint32_t utf16_length(std::string_view text);
 
+/// How many UTF-16 code units lie between two bytes of one text, asked for often: of a long line only a part is gone
+/// through. The text must outlive it.
+class Utf16Counts {
+public:
+    explicit Utf16Counts(std::string_view text);
+
+    /// As utf16_length of that part; both are the beginnings of characters.
+    uint32_t between(size_t first, size_t end) const;
+
+private:
+    struct Mark {
+        size_t offset = 0;
+        uint32_t units = 0;  ///< before it
+    };
+    std::string_view text_;
+    std::vector<Mark> marks_;  ///< every few kilobytes, each where a character begins
+};
+
 /// Places of a text, whose lines end with \n, \r\n or \r, as bytes and as positions. The text must outlive it.
 class TextPlaces {
 public:

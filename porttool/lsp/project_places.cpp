@@ -18,11 +18,9 @@ std::string_view line_of(const ScannedFile& file, uint32_t line) {
     return rest.substr(0, rest.find('\n'));
 }
 
-Range range_of_token(const ScannedFile& file, const Token& token) {
-    const uint32_t start = file.lexed.line_starts[token.line - 1];
-    const std::string_view text(file.lexed.text);
-    const uint32_t first = utf16_length(text.substr(start, token.offset - start));
-    const uint32_t length = utf16_length(text.substr(token.offset, token.length));
+Range range_of_token(const ScannedFile& file, const Utf16Counts& counts, const Token& token) {
+    const uint32_t first = counts.between(file.lexed.line_starts[token.line - 1], token.offset);
+    const uint32_t length = utf16_length(std::string_view(file.lexed.text).substr(token.offset, token.length));
     return {{token.line - 1, first}, {token.line - 1, first + length}};
 }
 
@@ -71,11 +69,21 @@ std::vector<PlacedUnit> ProjectPlaces::at(const std::string& path, uint32_t line
 Range ProjectPlaces::range_of(const std::string& path, const std::string& id, uint32_t line) const {
     const auto found = files_.find(path);
     if (found == files_.end()) return {{line == 0 ? 0 : line - 1, 0}, {line == 0 ? 0 : line - 1, 0}};
-    for (const auto& [side, file] : found->second)
-        for (const Unit& unit : file->units)
-            if (unit_id(*file, unit) == id && unit.name_token < file->lexed.tokens.size())
-                return range_of_token(*file, file->lexed.tokens[unit.name_token]);
+    for (const auto& [side, file] : found->second) {
+        const KnownFile& there = known(*file);
+        if (const auto name = there.names.find(id); name != there.names.end())
+            return range_of_token(*file, there.counts, *name->second);
+    }
     return range_of_line(*found->second.front().file, std::max(line, 1U));
+}
+
+const ProjectPlaces::KnownFile& ProjectPlaces::known(const ScannedFile& file) const {
+    if (const auto found = known_.find(&file); found != known_.end()) return found->second;
+    KnownFile made{{}, Utf16Counts(file.lexed.text)};
+    for (const Unit& unit : file.units)
+        if (unit.name_token < file.lexed.tokens.size())
+            made.names.emplace(unit_id(file, unit), &file.lexed.tokens[unit.name_token]);
+    return known_.emplace(&file, std::move(made)).first->second;
 }
 
 std::vector<const JudgedPair*> ProjectPlaces::pairs_of(const PlacedUnit& unit) const {
@@ -89,9 +97,10 @@ std::vector<const JudgedPair*> ProjectPlaces::pairs_of(const PlacedUnit& unit) c
 bool is_about_unit(const PlacedUnit& unit, Position at) {
     const std::vector<Token>& tokens = unit.file->lexed.tokens;
     if (unit.unit == nullptr) return true;
+    const Utf16Counts counts(unit.file->lexed.text);
     for (uint32_t i = unit.unit->body.first; i < unit.unit->body.end && i < tokens.size(); ++i) {
         if (tokens[i].kind != TokenKind::Identifier || tokens[i].line != at.line + 1) continue;
-        const Range range = range_of_token(*unit.file, tokens[i]);
+        const Range range = range_of_token(*unit.file, counts, tokens[i]);
         if (range.start <= at && at <= range.end) return false;
     }
     return true;

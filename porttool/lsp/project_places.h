@@ -43,8 +43,16 @@ private:
         Side side;
         const ScannedFile* file;
     };
+    /// What is asked of a file once for each finding there.
+    struct KnownFile {
+        std::unordered_map<std::string, const Token*> names;  ///< of units, by their ids
+        Utf16Counts counts;
+    };
+    const KnownFile& known(const ScannedFile& file) const;
+
     const CheckedProject& project_;
-    std::unordered_map<std::string, std::vector<PlacedFile>> files_;  ///< by absolute path
+    std::unordered_map<std::string, std::vector<PlacedFile>> files_;   ///< by absolute path
+    mutable std::unordered_map<const ScannedFile*, KnownFile> known_;  ///< those that were asked about
 };
 
 /// True where a position stands in the head of a unit, before its body, or there on no name of the code.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "source_core/device/kernel_compiler.h"
 #include "source_core/device/kernel_files.h"
 
 namespace source_core {
@@ -56,6 +57,34 @@ void KernelStore::take_fresh() {
     fresh_.reset();
 }
 
+// The first Render compiles all of them for its scene.
+Result<RecompiledKernels> KernelStore::check(Files files) {
+    const auto start = std::chrono::steady_clock::now();
+    KernelVariant variant;
+    variant.features = ~0u;
+    RecompiledKernels done;
+    for (uint32_t i = 0; i < KERNEL_COUNT; ++i) {
+        const std::string name = kernel_name(static_cast<Kernel>(i));
+        Files texts = texts_of_kernel(files, static_cast<Kernel>(i));
+        if (texts == checked_[i]) {
+            continue;
+        }
+        const auto compiled = compile_kernel(files, name + ".comp", variant.preamble(), variant.arithmetic);
+        if (!compiled.ok()) {
+            return compiled.status;
+        }
+        checked_[i] = std::move(texts);
+        done.kernels.push_back(name);
+    }
+    done.compile_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const std::lock_guard lock(mutex_);
+    fresh_.reset();
+    if (files != files_) {
+        fresh_.emplace().files = std::move(files);
+    }
+    return done;
+}
+
 Result<RecompiledKernels> KernelStore::compile_again(const Device& device) {
     const auto start = std::chrono::steady_clock::now();
     Fresh fresh;
@@ -70,6 +99,9 @@ Result<RecompiledKernels> KernelStore::compile_again(const Device& device) {
     Result<Files> now = read_kernel_files(directory_);
     if (!now.ok()) {
         return now.status;
+    }
+    if (!fresh.set && !failed) {
+        return check(std::move(*now));
     }
     fresh.files = std::move(*now);
     RecompiledKernels done;
@@ -92,13 +124,10 @@ Result<RecompiledKernels> KernelStore::compile_again(const Device& device) {
             continue;
         }
         edited = true;
-        if (i >= WAVEFRONT_KERNELS && !(fresh.set && fresh.set->has(kernel))) {
+        if (i >= WAVEFRONT_KERNELS && !fresh.set->has(kernel)) {
             continue;  // compiled where a filter asks for it
         }
         done.kernels.emplace_back(kernel_name(kernel));
-        if (!fresh.set) {
-            continue;  // the first Render compiles all of them
-        }
         Result<Handle<VkPipeline>> pipeline = fresh.set->compile(device, fresh.files, kernel);
         if (!pipeline.ok()) {
             return pipeline.status;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -35,7 +36,8 @@ public:
     /// that find was asked for last, unless they are there. Fails as find does.
     Status add_filter(const Device& device, bool with_history);
 
-    /// As HotKernels::compile_again: for the variant that was asked for last.
+    /// As HotKernels::compile_again: for the variant that was asked for last; where none was, no further than that the
+    /// device would take them, with all that a scene can have.
     Result<render_system::RecompiledKernels> compile_again(const Device& device);
 
     /// Those of the texts that run.
@@ -50,6 +52,7 @@ private:
         std::vector<std::pair<Kernel, Handle<VkPipeline>>> pipelines;
     };
     void take_fresh();
+    Result<render_system::RecompiledKernels> check(Files files);
 
     const std::string directory_;
     mutable std::mutex mutex_;
@@ -58,7 +61,9 @@ private:
     std::optional<KernelVariant> asked_;  // of find, the last time
     std::shared_ptr<KernelSet> in_use_;
     std::optional<Fresh> fresh_;
-    bool renewed_ = false;  // since find last answered
+    bool renewed_ = false;                     // since find last answered
+    // Of compile_again alone: the texts of each kernel that were last seen to compile.
+    std::array<Files, KERNEL_COUNT> checked_;
 };
 
 }  // namespace source_core

@@ -37,12 +37,12 @@ def skip(why):
 class Screen:
     """An X server without a screen; its picture lies in a file, in the format of xwd (X11/XWDFile.h)."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, *options):
         self.folder = folder
         ends = os.pipe()
         self.process = subprocess.Popen(
             ["Xvfb", "-displayfd", str(ends[1]), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-fbdir", folder,
-             "-nolisten", "tcp"], pass_fds=[ends[1]], stderr=subprocess.DEVNULL)
+             "-nolisten", "tcp", *options], pass_fds=[ends[1]], stderr=subprocess.DEVNULL)
         os.close(ends[1])
         with os.fdopen(ends[0]) as pipe:
             self.display = ":" + pipe.readline().strip()
@@ -331,6 +331,39 @@ class KernelsTest(Person):
         self.leave()
 
 
+    def test_a_broken_kernel_is_told_while_only_the_other_core_is_shown(self):
+        if not has_both_cores():
+            self.skipTest("there is no Vulkan device or no Embree here")
+        self.kernels = self.folder / "kernels"
+        shutil.copytree(KERNELS, self.kernels)
+        self.save("finalize.glsl", ("vec4(sum * pass", "nonsense; vec4(sum * pass"))
+        self.open_window("--spp", 2, "--core", "target,source", "--kernels", "kernels")
+        # At the start, and at a save; the picture is the target core's all along.
+        said = self.wait_for("error", lambda detail: detail.get("core") == "source")["detail"]
+        self.assertIn("'nonsense'", said["message"])
+        self.seen = 0
+        self.wait_for("pixels", lambda detail: detail["core"] == "target")
+        red = lambda: sum(r > 60 and g < 30 and b < 30 for r, g, b in self.screen.rows()[HEIGHT - 10])
+        self.until(lambda now: red() > WIDTH / 2 and brightness(now) > 20)
+        self.save("finalize.glsl")
+        compiled = self.wait_for("reload", lambda detail: detail["core"] == "source")["detail"]
+        self.assertEqual((compiled["files"], "finalize" in compiled["kernels"]), (["finalize.glsl"], True), compiled)
+        self.until(lambda now: red() < WIDTH / 2)
+        self.save("shade.glsl", ("clamp(", "gibberish("))
+        self.assertIn("'gibberish'", self.wait_for("error", lambda detail: detail.get("core") == "source")["detail"]["message"])
+        (self.kernels / "shade.glsl").unlink()
+        self.assertIn("shade.glsl", self.wait_for("error", lambda detail: detail.get("core") == "source")["detail"]["message"])
+        self.until(lambda now: red() > WIDTH / 2 and brightness(now) > 20)
+        self.assertNotIn("source", [event["detail"]["core"] for event in self.events() if event["event"] == "pixels"])
+        # Mended, it draws once it is asked to.
+        self.save("shade.glsl")
+        self.wait_for("reload", lambda detail: detail["core"] == "source")
+        self.until(lambda now: red() < WIDTH / 2)
+        self.xdotool("key", "Tab")
+        self.wait_for("pixels", lambda detail: detail["core"] == "source")
+        self.leave()
+
+
 class StoryTest(Person):
     """An edit of one core alone, from the save to its port."""
 
@@ -437,8 +470,9 @@ class StoryTest(Person):
         self.assertIn("sample_scale * 0.25f", target.read_text())
         self.show(2)
 
-        # What is no module is said, and the core goes on; then the build writes one.
+        # One that is gone is no news; what is no module is said, and the core goes on; then the build writes one.
         self.xdotool("key", "h")
+        module.unlink()
         module.write_text("broken")
         said = self.wait_for("error")["detail"]
         self.assertEqual((said["core"], "is no shared object" in said["message"]), ("target", True), said)
@@ -515,6 +549,16 @@ class RefusedTest(unittest.TestCase):
         got = subprocess.run([PATHTRACER, "view", "nowhere.gltf"], env=bare, capture_output=True)
         self.assertEqual((got.returncode, got.stdout), (2, b""))
         self.assertIn(b"nowhere.gltf: there is no such file", got.stderr)
+
+    def test_says_so_where_there_is_no_opengl(self):
+        with tempfile.TemporaryDirectory() as name:
+            screen = Screen(name, "-extension", "GLX")
+            self.addCleanup(screen.end)
+            got = subprocess.run([PATHTRACER, "view", "still_life", "--size", "32x18"], capture_output=True, timeout=PATIENCE,
+                                 env={**os.environ, "DISPLAY": screen.display})
+            self.assertEqual((got.returncode, got.stdout), (2, b""))
+            self.assertRegex(got.stderr, rb"^pathtracer: error: view: no OpenGL 3.0 here: .*GLX.*; install a driver .*\n$")
+            self.assertEqual(got.stderr.count(b"\n"), 1)
 
     def test_says_so_where_the_display_goes_away(self):
         with tempfile.TemporaryDirectory() as name:

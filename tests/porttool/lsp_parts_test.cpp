@@ -35,6 +35,25 @@ TEST(LspPositions, CountUtf16UnitsAndKnowEachLineEnd) {
     EXPECT_EQ(places.position_of(kMixed.size()), (Position{3, 0}));
 }
 
+TEST(LspPositions, AreCountedAlikeWithinLongLines) {
+    std::mt19937 random(20);
+    const std::string characters[] = {"a", " ", "\n", "\xC3\xA9", "\xF0\x9F\x98\x80", "\xFF"};
+    std::string text;
+    std::vector<size_t> beginnings;
+    while (text.size() < 40000) {
+        beginnings.push_back(text.size());
+        text += characters[random() % std::size(characters)];
+    }
+    const Utf16Counts counts(text);
+    for (int i = 0; i < 300; ++i) {
+        size_t first = beginnings[random() % beginnings.size()], end = beginnings[random() % beginnings.size()];
+        if (first > end) std::swap(first, end);
+        EXPECT_EQ(counts.between(first, end), utf16_length(text.substr(first, end - first))) << first << " " << end;
+    }
+    EXPECT_EQ(counts.between(0, text.size()), utf16_length(text));
+    EXPECT_EQ(Utf16Counts("").between(0, 0), 0U);
+}
+
 TEST(LspPositions, ChangesOfADocumentGoWhereTheyPoint) {
     std::string text = kMixed;
     apply_change(text, {Range{{0, 1}, {0, 4}}, "-"});

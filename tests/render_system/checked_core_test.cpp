@@ -38,7 +38,7 @@ private:
     void set_mesh(uint32_t, const CoreMesh&) override { work(); }
     void set_instance(uint32_t, uint32_t, const CoreTransform&) override { work(); }
     Status prepare() override { return work_with_status(); }
-    Status render(const ViewPyramid&, uint32_t) override { return work_with_status(); }
+    Status render(const ViewPyramid&, uint32_t, CallOff&) override { return work_with_status(); }
     Status filter(const ViewPyramid&, const CoreFilter&, CallOff&) override { return Status::success(); }
     void close() override {}
     uint64_t host_bytes() const override { return 123; }

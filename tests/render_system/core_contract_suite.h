@@ -11,6 +11,7 @@
 #include <limits>
 #include <memory>
 #include <random>
+#include <thread>
 #include <vector>
 
 #include "render_system/alias_table.h"
@@ -272,6 +273,36 @@ TYPED_TEST_P(CoreContractSuite, SumsOfPartsAreTheSumOfTheWhole) {
     target.first_pixel = 0;
     target.squares = std::span(squares).first(1);
     this->expect_refused(this->core_->SetTarget(target));
+}
+
+/// Whenever it is called off, what comes next begins anew, as if it had never been asked for.
+TYPED_TEST_P(CoreContractSuite, ARenderThatIsCalledOffDropsTheSamples) {
+    SKIP_WITHOUT_DEVICE();
+    this->send(ContractScene());
+    CoreTarget target = this->target();
+    this->expect_ok(this->core_->SetTarget(target));
+    const std::vector<glm::vec4> whole = this->render(3);
+    bool is_finished = false;
+    uint32_t times = 0;
+    for (uint32_t after = 0; !is_finished; after = 2 * after + 1, ++times) {
+        target.is_called_off = {};
+        this->expect_ok(this->core_->SetTarget(target));
+        this->render(1);
+        std::atomic<uint32_t> asked = 0;
+        target.is_called_off = [&asked, after] { return ++asked > after; };
+        this->expect_ok(this->core_->SetTarget(target));
+        const Status status = this->core_->Render(contract_view(), Convergence::Converge, 2);
+        is_finished = status.ok();
+        if (is_finished) break;
+        EXPECT_EQ(status.code, StatusCode::called_off) << status.message;
+        EXPECT_LE(asked, after + std::max(1u, std::thread::hardware_concurrency())) << "one of each thread at most";
+        EXPECT_EQ(this->core_->GetCoreStats().samples, 0u);
+        target.is_called_off = {};
+        this->expect_ok(this->core_->SetTarget(target));
+        EXPECT_EQ(this->render(3, Convergence::Converge), whole) << after;
+    }
+    EXPECT_GE(times, 1u);
+    EXPECT_EQ(this->pixels_, whole);
 }
 
 TYPED_TEST_P(CoreContractSuite, NoSamplesAreRefusedAndLeaveThePicture) {
@@ -857,18 +888,16 @@ TYPED_TEST_P(CoreContractSuite, AfterManyEditsThePictureIsThatOfTheSceneAsItIs) 
 
 #undef SKIP_WITHOUT_DEVICE
 
-REGISTER_TYPED_TEST_SUITE_P(CoreContractSuite, NothingWorksBeforeInitOrAfterShutdown,
-                            StatisticsAreZeroBeforeTheFirstRender, RendersAndCounts,
-                            ShowsEveryPathAfterEveryKernelAndRendersTheSame, ConvergeAddsAndRestartDrops,
-                            SamplesTakenInPartsGiveTheSamePicture, SumsOfPartsAreTheSumOfTheWhole,
-                            NoSamplesAreRefusedAndLeaveThePicture, ATargetOfAnotherSizeStartsAnew, AnEmptySceneIsAllSky,
-                            RefusesTargetsAndSettingsThatMakeNoSense, RefusesTexturesThatAreNoMipChain,
-                            RefusesGapsInNumberedThings, RefusesMeshesThatContradictThemselves,
-                            RefusesInstancesOfNothingAndMatricesThatAreNotFinite, RefusesWhatRaysCannotReachOrStartFrom,
-                            RefusesTablesOfTheWrongLength, DanglingIdsAreRefusedAtRender,
-                            AFailedCallLeavesWhatWasSetBefore, EditsTakeEffectWithTheNextRender,
-                            AMeshMayBeEmptyAtFirstAndInBetween, WhatIsRemovedGivesItsMemoryBack,
-                            AStillCoreDrawsTheSameAndKeepsItsGeometry, WhatIsSaidToMoveIsTheSameFromTheFirstPictureOn,
-                            AfterManyEditsThePictureIsThatOfTheSceneAsItIs);
+REGISTER_TYPED_TEST_SUITE_P(
+    CoreContractSuite, NothingWorksBeforeInitOrAfterShutdown, StatisticsAreZeroBeforeTheFirstRender, RendersAndCounts,
+    ShowsEveryPathAfterEveryKernelAndRendersTheSame, ConvergeAddsAndRestartDrops, SamplesTakenInPartsGiveTheSamePicture,
+    SumsOfPartsAreTheSumOfTheWhole, ARenderThatIsCalledOffDropsTheSamples, NoSamplesAreRefusedAndLeaveThePicture,
+    ATargetOfAnotherSizeStartsAnew, AnEmptySceneIsAllSky, RefusesTargetsAndSettingsThatMakeNoSense,
+    RefusesTexturesThatAreNoMipChain, RefusesGapsInNumberedThings, RefusesMeshesThatContradictThemselves,
+    RefusesInstancesOfNothingAndMatricesThatAreNotFinite, RefusesWhatRaysCannotReachOrStartFrom,
+    RefusesTablesOfTheWrongLength, DanglingIdsAreRefusedAtRender, AFailedCallLeavesWhatWasSetBefore,
+    EditsTakeEffectWithTheNextRender, AMeshMayBeEmptyAtFirstAndInBetween, WhatIsRemovedGivesItsMemoryBack,
+    AStillCoreDrawsTheSameAndKeepsItsGeometry, WhatIsSaidToMoveIsTheSameFromTheFirstPictureOn,
+    AfterManyEditsThePictureIsThatOfTheSceneAsItIs);
 
 }  // namespace render_system::testing

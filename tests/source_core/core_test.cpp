@@ -320,6 +320,43 @@ TEST(SourceCore, KernelsThatNeverCompiledAreCompiledAtTheNextSaveAndNotOnlyWhenT
     EXPECT_EQ(hot->compile_again()->kernels, std::vector<std::string>());
 }
 
+/// Without a scene, and before anybody renders: what is broken is told, and of what compiles only what was edited is
+/// looked at again.
+TEST(SourceCore, KernelsAreHeldAgainstTheLanguageBeforeTheFirstRender) {
+    TemporaryFolder folder;
+    folder.write_kernels();
+    std::ifstream file(folder.path() / "finalize.glsl");
+    const std::string finalize{std::istreambuf_iterator<char>(file), {}};
+    source_core::SourceOptions options;
+    options.kernels_directory = folder.path();
+    OPEN_CORE_OR_SKIP(core, options);
+    auto* hot = dynamic_cast<HotKernels*>(core.get());
+    ASSERT_NE(hot, nullptr);
+    EXPECT_EQ(hot->compile_again()->kernels.size(), 9U);
+    EXPECT_EQ(hot->compile_again()->kernels, std::vector<std::string>());
+    folder.write("finalize.glsl", finalize + "\nfloat broken = nonsense;\n");
+    for (int time = 0; time < 2; ++time) {
+        const Result<RecompiledKernels> broken = hot->compile_again();
+        EXPECT_EQ(broken.status.code, StatusCode::internal);
+        EXPECT_NE(broken.status.message.find("nonsense"), std::string::npos) << broken.status.message;
+    }
+    folder.write("finalize.glsl", "// edited\n" + finalize);
+    EXPECT_EQ(hot->compile_again()->kernels, std::vector<std::string>{"finalize"});
+    // The scene's are those that were saved last.
+    std::string doubled = finalize;
+    const std::string sum = "sum * pass.sample_scale";
+    ASSERT_NE(doubled.find(sum), std::string::npos);
+    doubled.replace(doubled.find(sum), sum.size(), "2.0 * " + sum);
+    folder.write("finalize.glsl", doubled);
+    EXPECT_EQ(hot->compile_again()->kernels, std::vector<std::string>{"finalize"});
+    CoreSky sky;
+    sky.radiance = {0.25f, 0.5f, 2.0f};
+    std::vector<glm::vec4> pixels(4);
+    ASSERT_TRUE(core->SetSkyData(sky).ok() && core->SetTarget({2, 2, pixels}).ok());
+    ASSERT_TRUE(core->Render(front_view(), Convergence::Restart, 1).ok());
+    EXPECT_EQ(pixels[3], glm::vec4(2.0f * sky.radiance, 1.0f));
+}
+
 TEST(SourceCore, AMissingFolderOfKernelsIsNotFound) {
     source_core::SourceOptions options;
     options.kernels_directory = "/nonexistent/kernels";

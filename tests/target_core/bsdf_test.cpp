@@ -342,6 +342,71 @@ TEST(StretchedBsdf, GivesBackWhatItsMicrofacetsKeep) {
     EXPECT_LT(errors / cases, 2.5e-3);
 }
 
+// Charlie's sheen in double precision: the density of Estevez and Kulla 2017, "Production Friendly Microfacet Sheen
+// BRDF", its shadowing by their fit (the table's two rows), and by KHR_materials_sheen alpha as the roughness squared.
+struct Charlie {
+    double alpha;
+
+    explicit Charlie(double roughness) : alpha(roughness * roughness) {}
+    double fit(double x) const {
+        const double rows[2][5] = {{25.3245, 3.32435, 0.16801, -1.27393, -4.85967},
+                                   {21.5473, 3.82987, 0.19823, -1.97760, -4.32054}};
+        const double between = (1.0 - alpha) * (1.0 - alpha);
+        double p[5];
+        for (int i = 0; i < 5; ++i) p[i] = between * rows[0][i] + (1.0 - between) * rows[1][i];
+        return p[0] / (1.0 + p[1] * std::pow(x, p[2])) + p[3] * x + p[4];
+    }
+    double lambda(double x) const { return std::exp(x < 0.5 ? fit(x) : 2.0 * fit(0.5) - fit(1.0 - x)); }
+    // Times the cosine of `to`.
+    double value(const glm::dvec3& from, const glm::dvec3& to) const {
+        const glm::dvec3 h = glm::normalize(from + to);
+        const double sine = std::sqrt(std::max(0.0, 1.0 - h.z * h.z));
+        const double density = (2.0 + 1.0 / alpha) * std::pow(sine, 1.0 / alpha) / (2.0 * std::numbers::pi);
+        return density / (4.0 * from.z * (1.0 + lambda(from.z) + lambda(to.z)));
+    }
+    double returned(double cosine) const {
+        constexpr int N = 120;
+        const glm::dvec3 from(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
+        double sum = 0.0;
+        for (int i = 0; i < N; ++i) {
+            const double polar = 0.5 * std::numbers::pi * (i + 0.5) / N;
+            for (int j = 0; j < N; ++j) {
+                const double phi = 2.0 * std::numbers::pi * (j + 0.5) / N, sine = std::sin(polar);
+                sum += value(from, {sine * std::cos(phi), sine * std::sin(phi), std::cos(polar)}) * sine;
+            }
+        }
+        return sum * (0.5 * std::numbers::pi / N) * (2.0 * std::numbers::pi / N);
+    }
+};
+
+// KHR_materials_sheen: the lobe, and of what is below the share that neither direction's sheen has taken.
+TEST(Sheen, IsTheLobeOfTheExtensionOverWhatItLeavesOfTheRest) {
+    constexpr uint DIRECTIONS = 40;
+    const auto z_of = [](uint i) { return 0.25 + 0.018 * i; };
+    for (float roughness : {0.3f, 0.6f, 1.0f}) {
+        const Charlie model(static_cast<double>(roughness));
+        std::vector<double> left_there;
+        for (uint i = 0; i < DIRECTIONS; ++i) left_there.push_back(1.0 - 0.8 * model.returned(z_of(i)));
+        for (float cosine : {0.4f, 0.7f, 0.95f}) {
+            Case c{"cloth over white", 0, 1, 0, 0, 1.5f, true, true, cosine};
+            c.sheen = 0.8f;
+            c.sheen_roughness = roughness;
+            const Bsdf over_white = bsdf_of(c);
+            const Bsdf alone = bsdf_of(c, vec3(0.0f));
+            const glm::dvec3 wo(alone.wo.x, alone.wo.y, alone.wo.z);
+            const double left = 1.0 - 0.8 * model.returned(wo.z);
+            for (uint i = 0; i < DIRECTIONS; ++i) {
+                const vec3 wi = direction_at(z_of(i), 2.4 * i);
+                const glm::dvec3 to(wi.x, wi.y, wi.z);
+                const double lobe = 0.8 * model.value(wo, to);
+                ASSERT_NEAR(static_cast<double>(evaluate_bsdf(alone, wi).value.x), lobe, 2e-5 * (lobe + 1.0)) << c;
+                const double below = std::min(left, left_there[i]) * to.z / std::numbers::pi;
+                ASSERT_NEAR(static_cast<double>(evaluate_bsdf(over_white, wi).value.x), lobe + below, 2e-3) << c;
+            }
+        }
+    }
+}
+
 // The evaluation that KHR_materials_iridescence gives as its reference, in double precision and by its own names.
 double film_reference(double f0, double ior, double thickness, double cos1, int channel) {
     const auto sq = [](double x) { return x * x; };
