@@ -12,11 +12,15 @@ namespace application {
 
 namespace {
 
-/// The entry functions of each kernel in both cores, as portmap.toml has them.
-Json kernel_entries() {
+/// The entry functions of each kernel that ran in both cores, as portmap.toml has them.
+Json kernel_entries(const Json& located) {
     Json entries = Json::array();
     for (uint32_t i = 0; i < render_system::PATH_KERNELS; ++i) {
         const std::string name = kernel_name(static_cast<render_system::PathKernel>(i));
+        const auto is_of_kernel = [&](const Json& one) { return one["kernel"] == name; };
+        const Json& differences = located["differences"];
+        if (located["compared"][name] == 0 && std::none_of(differences.begin(), differences.end(), is_of_kernel))
+            continue;
         entries.push_back({{"kernel", name},
                            {"source", fmt::format("source_core/kernels/{}.comp:main", name)},
                            {"target", fmt::format("target_core/kernels/{0}.cpp:target_core::kernels::{0}", name)}});
@@ -58,7 +62,7 @@ Json evidence_json(const Json& comparison, const Options& options, const std::ve
             {"ssim", ssim},
             {"pictures", pictures},
             {"explained_by_ties", located["explained_by_ties"]},
-            {"kernels", kernel_entries()},
+            {"kernels", kernel_entries(located)},
             {"differences", located["differences"]},
             {"first", located["first"]}};
 }

@@ -49,6 +49,16 @@ std::string list_text(const Json& list) {
     return text.empty() ? "-" : text;
 }
 
+/// "; none ran through shade, connect", where the scene shows nothing of what these do; "" where all ran.
+std::string kernels_without_paths(const Json& located) {
+    std::string list;
+    for (uint32_t i = 0; i < render_system::PATH_KERNELS; ++i) {
+        const std::string name = kernel_name(static_cast<PathKernel>(i));
+        if (located["compared"][name] == 0) list += (list.empty() ? "" : ", ") + name;
+    }
+    return list.empty() ? "" : "; none ran through " + list;
+}
+
 std::array<uint8_t, 3> colour_of(uint8_t parted_in) {
     constexpr std::array<std::array<uint8_t, 3>, render_system::PATH_KERNELS> COLOURS = {
         {{255, 0, 255}, {255, 0, 0}, {255, 255, 0}, {0, 255, 255}, {255, 255, 255}}};
@@ -58,6 +68,9 @@ std::array<uint8_t, 3> colour_of(uint8_t parted_in) {
 }  // namespace
 
 Json located_json(const PathDifferences& differences, const HostScene& scene, const Options& options) {
+    Json compared = Json::object();
+    for (uint32_t i = 0; i < render_system::PATH_KERNELS; ++i)
+        compared[kernel_name(static_cast<PathKernel>(i))] = differences.compared.at(i);
     Json list = Json::array();
     for (const KernelDifference& difference : differences.kernels) {
         list.push_back({{"segment", shown_segment(difference, options)},
@@ -72,6 +85,7 @@ Json located_json(const PathDifferences& differences, const HostScene& scene, co
     return {{"first", list.empty() ? Json(nullptr) : list.front()},
             {"mode", options.exact ? "exact" : "native"},
             {"tolerance", options.exact ? Json("bits") : Json(NATIVE_TOLERANCE)},
+            {"compared", compared},
             {"explained_by_ties", differences.explained_by_ties},
             {"differences", list}};
 }
@@ -82,7 +96,7 @@ std::string located_text(const Json& located) {
                              : fmt::format("Paths held side by side after every kernel, to {} of a number: ",
                                            located["tolerance"].get<float>());
     if (located["first"].is_null()) {
-        text += "none part\n";
+        text += "none part" + kernels_without_paths(located) + "\n";
     } else {
         const Json& first = located["first"];
         text += fmt::format("they first part in segment {}, kernel {}, at {}\n", first["segment"].get<uint32_t>(),

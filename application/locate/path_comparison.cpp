@@ -54,6 +54,7 @@ void PathComparison::compare(size_t pixel, const PathStates& states, const PathV
              other_is_first ? step->segment : states.segment, static_cast<uint32_t>(PathField::queue));
         return;
     }
+    ++compared_.at(static_cast<size_t>(states.kernel));
     if (states.kernel == PathKernel::extend) parting.hit = view.instance == NONE ? hit_of(step->view) : hit_of(view);
     if (ends && sum_differs_[pixel]) return;
     const uint32_t field = first_different_field(states.kernel, step->view, view, tolerance_);
@@ -125,6 +126,7 @@ PathDifferences PathComparison::differences() const {
         return order_of(a.kernel, a.segment) < order_of(b.kernel, b.segment);
     });
     result.paths = paths_;
+    result.compared = compared_;
     result.explained_by_ties = ties_;
     result.parted_in = parted_in_;
     return result;

@@ -36,6 +36,8 @@ struct KernelDifference {
 struct PathDifferences {
     std::vector<KernelDifference> kernels;  ///< by segment, then as they run
     uint64_t paths = 0;                     ///< held side by side
+    /// By kernel: how often what it gave a path was held side by side; 0 where none ran through it.
+    std::array<uint64_t, render_system::PATH_KERNELS> compared{};
     uint64_t explained_by_ties = 0;
     std::vector<uint8_t> parted_in;  ///< of each pixel: 1 + the kernel that parted earliest; TIE; 0: none
     static constexpr uint8_t TIE = 255;
@@ -79,6 +81,7 @@ private:
     std::map<render_system::PathKernel, KernelDifference> kernels_;
     std::vector<uint8_t> parted_in_;
     uint64_t paths_ = 0;
+    std::array<uint64_t, render_system::PATH_KERNELS> compared_{};
     uint64_t ties_ = 0;
 };
 

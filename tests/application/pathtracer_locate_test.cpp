@@ -130,11 +130,27 @@ TEST_F(Locate, FindsNothingBetweenTwinsAndWritesEvidenceOfTheTextsThatRan) {
 TEST_F(Locate, WorksWhereNothingIsHit) {
     SKIP_WITHOUT_CORES();
     const std::string scene = write_small_scene(folder.path).string();
-    const RunResult result = run(scene, {"--look-at", "0,0,3,0,0,9", "--sky", "1,1,1"});
+    const std::vector<std::string> away = {"--look-at", "0,0,3,0,0,9", "--sky", "1,1,1", "--evidence", "e.json"};
+    const RunResult result = run(scene, away);
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const json located = json::parse(result.out)["locate"];
     EXPECT_EQ(located["first"], nullptr);
     EXPECT_EQ(located["mode"], "native");
+    constexpr int paths = 48 * 27 * 2;
+    EXPECT_EQ(located["compared"],
+              json({{"generate", paths}, {"extend", paths}, {"shade", 0}, {"connect", 0}, {"finalize", paths}}));
+    const json evidence = json::parse(read_file(folder.path / "e.json"));
+    std::vector<std::string> ran;
+    for (const json& kernel : evidence["kernels"]) ran.push_back(kernel["kernel"]);
+    EXPECT_EQ(ran, (std::vector<std::string>{"generate", "extend", "finalize"}));
+
+    // An edit of a kernel that no path runs through is not taken for one that changes nothing.
+    edit_kernel("connect.glsl", "radiance, !blocked", "radiance, blocked");
+    std::vector<std::string> text = away;
+    text.insert(text.end(), {"--kernels", "kernels", "--format", "text"});
+    const RunResult told = run(scene, text);
+    ASSERT_EQ(told.exit_code, 0) << told.err;
+    EXPECT_THAT(told.out, HasSubstr("none part; none ran through shade, connect"));
 }
 
 TEST_F(Locate, RefusesEvidenceOfNothing) {
