@@ -258,10 +258,16 @@ private:
                 if (vectors_.insert(std::string(word)).second && definitions_.find(*one.file, word).empty())
                     bring_operators(word);
             }
-            for (const Definition* found :
-                 callable(definitions_.find(*one.file, word), arguments_of_call(lexed, i, range.end)))
+            for (const Definition* found : callable(meant_by(one, word), arguments_of_call(lexed, i, range.end)))
                 if (found->owner.empty() && found != &one) bring(*found);
         }
+    }
+
+    /// What a name in a piece means. A macro is written where it is used: what its own file does not know, that of the
+    /// function may.
+    const std::vector<const Definition*>& meant_by(const Definition& one, std::string_view word) const {
+        const std::vector<const Definition*>& own = definitions_.find(*one.file, word);
+        return own.empty() && one.kind == Definition::Kind::Macro ? definitions_.find(root_, word) : own;
     }
 
     const Definitions& definitions_;

@@ -158,7 +158,11 @@ TEST_F(Difftest, WhatIsNoMacroIsNamed) {
 }
 
 TEST_F(Difftest, TakesKernelLanguagesForCpp) {
-    const nlohmann::json pairs = run_on("a.cl", R"(
+    write("inc/steps.h", "#define STEP(x, n) { x = turned_by (x, n); x += 1; }\n");
+    write("inc/common.cl", "uint turned_by(const uint x, const int n) { return x << n | x >> (32 - n); }\n");
+    const nlohmann::json pairs = run_on("a.cl", R"(#include "../inc/steps.h"
+#include "../inc/common.cl"
+uint stepped(uint x) { STEP(x, 3); return x; }
 typedef struct { float3 base; float2 uv; int kind; } Hit;
 __constant float kGains[3] = {0.5f, 1.0f, 2.0f};
 float tone(const float3 c) { return mad(c.x, 0.25f, native_sqrt(fabs(c.s1))) + as_float(as_uint(c.z)); }
@@ -170,6 +174,7 @@ float sum(__global const float *values, int count) { float s = 0; for (int i = 0
 __kernel void fill(__global float *out) { out[get_global_id(0)] = 1.0f; }
 )",
                                         "b.cu", R"(
+__device__ unsigned stepped(unsigned x) { return (x << 3 | x >> 29) + 1; }
 struct Hit { float3 base; float2 uv; int kind; };
 __constant__ float gains[3] = {0.5f, 1.0f, 2.0f};
 __device__ __forceinline__ float tone(float3 c) { return c.x * 0.25f + sqrtf(fabsf(c.y)) + __uint_as_float(__float_as_uint(c.z)); }
@@ -186,6 +191,7 @@ __global__ void fill(float* out) { out[threadIdx.x] = 1.0f; }
                                         {"--inputs", "3000", "--ulps", "0"});
     EXPECT_EQ(pair_of(pairs, "tone")["state"], "same") << pairs.dump(1);
     EXPECT_EQ(pair_of(pairs, "shaded")["state"], "same") << pairs.dump(1);
+    EXPECT_EQ(pair_of(pairs, "stepped")["state"], "same") << "a macro's names are those of its user: " << pairs.dump(1);
     EXPECT_EQ(pair_of(pairs, "named")["state"], "same") << "`in` and `out` are names in OpenCL: " << pairs.dump(1);
     EXPECT_EQ(pair_of(pairs, "whole_power")["state"], "same") << pairs.dump(1);
     EXPECT_EQ(pair_of(pairs, "picked")["state"], "differs");
