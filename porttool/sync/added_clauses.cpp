@@ -119,7 +119,9 @@ private:
             return give_up("the port has statements of its own there, and which comes first matters");
         }
         if (!is_in_counterpart(block, *place)) return give_up("the block around it has no counterpart in the port");
-        if (parts_neighbours(left, right, *place) && !is_set_apart_for_data(*place, was_before, was_after))
+        const bool is_behind_left = beside_left && target(left).end == *place && !names_data_around(*place, clauses);
+        if (parts_neighbours(left, right, *place) &&
+            !is_set_apart_for_data(*place, was_before, was_after, is_behind_left))
             return give_up(
                 "the port has one of its neighbours in a block of its own, and whether it belongs there is not "
                 "told");
@@ -129,7 +131,7 @@ private:
             return give_up("the port has one of its neighbours in what it hands to the device");
         if (parts_from_last(first, *place))
             return give_up("what the source does between this and what it gained before has no counterpart there");
-        if (clock_may_run_ahead(clauses, *place, was_before))
+        if (clock_may_run_ahead(clauses, *place, was_before) && !wait_before_clock(clauses))
             return give_up("the port does not wait there for what it started");
         if (leaves_loop(first, end, *place))
             return give_up("the port has a loop of its own around it, which it would leave");
@@ -263,26 +265,54 @@ private:
         return false;
     }
 
-    /// True for a place right behind a `#pragma` of the port that stands for no directive of the source.
+    /// True for a place right behind a `#pragma` of the port that stands for no directive of the source, and governs
+    /// what follows.
     bool follows_own_directive(size_t place, size_t was_before) const {
         for (size_t c = 0; c < texts_.target.clauses.size() && target(c).first < place; ++c)
             if (target(c).end == place && target(c).size() > 1 && texts_.target.words[target(c).first] == "#" &&
-                texts_.target.words[target(c).first + 1] == "pragma")
+                texts_.target.words[target(c).first + 1] == "pragma" && !stands_alone(texts_.target, target(c)))
                 return was_before == kNothing || texts_.before.words[before(was_before).first] != "#";
         return false;
     }
 
+    /// True for a directive of OpenMP that is a statement of its own, as `# pragma omp target update to ( a )`.
+    static bool stands_alone(const AlignedText& text, const Clause& directive) {
+        const auto word = [&](size_t i) {
+            return directive.first + i < directive.end ? std::string_view(text.words[directive.first + i])
+                                                       : std::string_view();
+        };
+        if (word(2) != "omp") return false;
+        return is_one_of(word(3), {"barrier", "taskwait", "taskyield", "flush"}) ||
+               (word(3) == "target" && is_one_of(word(4), {"update", "enter", "exit"}));
+    }
+
     /// True for a place beside the counterpart of a direct neighbour, in a block of the port's own that only says where
-    /// data is: `{`, or `# pragma omp target data {`.
-    bool is_set_apart_for_data(size_t place, size_t was_before, size_t was_after) const {
+    /// data is: `{`, or `# pragma omp target data {`. `is_behind_left`: right behind what stands for the one before it.
+    bool is_set_apart_for_data(size_t place, size_t was_before, size_t was_after, bool is_behind_left) const {
         const size_t before_it = was_before == kNothing ? kNothing : counterpart(was_before);
         const size_t after_it = was_after == kNothing ? kNothing : counterpart(was_after);
-        const bool is_beside = (before_it != kNothing && target(before_it).end == place) ||
+        const bool is_beside = is_behind_left || (before_it != kNothing && target(before_it).end == place) ||
                                (after_it != kNothing && target(after_it).first == place);
         if (!is_beside) return false;
         for (size_t c = block_at(place); c != Clause::kNone && !stands_for_something(c); c = target(c).inside)
             if (!only_holds_data(texts_.target, target(c))) return false;
         return true;
+    }
+
+    /// True if new clauses name what a block of the port's own around a place hands over or copies, so that it may not
+    /// be there before that block ends: `sycl :: buffer < float > b ( a , n ) ;`, `map ( from : a [ 0 : n ] )`.
+    bool names_data_around(size_t place, std::vector<ClauseAdded> clauses) const {
+        std::erase_if(clauses, [&](const ClauseAdded& clause) { return waits(clause.source); });
+        const std::set<std::string> names = names_of(clauses);
+        for (size_t head = block_at(place); head != Clause::kNone && !stands_for_something(head);
+             head = target(head).inside)
+            for (size_t c = head; c < texts_.target.clauses.size() && target(c).first < place; ++c) {
+                const bool is_own = !stands_for_something(c) && !target(c).opens && !target(c).closes;
+                if (c != head && (!is_own || target(c).inside != head)) continue;
+                for (size_t i = target(c).first; i < target(c).end; ++i)
+                    if (names.contains(texts_.target.words[i])) return true;
+            }
+        return false;
     }
 
     static bool only_holds_data(const AlignedText& text, const Clause& head) {
@@ -335,6 +365,17 @@ private:
         if (was_before != kNothing && goes_on_behind_launch(texts_.before, was_before)) return false;
         return std::any_of(clauses.begin(), clauses.end(),
                            [](const ClauseAdded& clause) { return asks_clock(clause); });
+    }
+
+    /// Has the port wait before new clauses ask a clock, in its own words; false where nothing tells these, or where
+    /// what comes first may take time of its own.
+    bool wait_before_clock(std::vector<ClauseAdded>& clauses) const {
+        const DeviceWait& wait = translator_.wait_there();
+        if (!wait || wait->empty() || !asks_clock(clauses.front())) return false;
+        ClauseAdded one{{}, clauses.front().source, true};
+        for (const std::string& word : *wait) one.words.push_back({word, CarriedWord::kNoSource});
+        clauses.insert(clauses.begin(), std::move(one));
+        return true;
     }
 
     size_t clause_ending(size_t place) const {
@@ -518,6 +559,14 @@ private:
         return false;
     }
 
+    /// True where the source asked a clock as often to begin with as to end before: what is asked twice is a time.
+    bool is_asked_first(size_t is) const {
+        size_t times = 0;
+        for (size_t i = 0; i + 1 < now(is).first; ++i)
+            times += texts_.now.words[i + 1] == "(" && asks_clock(texts_.now.words[i]) ? 1 : 0;
+        return times % 2 == 0;
+    }
+
     bool starts_paragraph(size_t is) const {
         return is < texts_.now.clauses.size() && texts_.paragraphs.contains(now(is).first);
     }
@@ -555,8 +604,12 @@ private:
             std::none_of(own.begin(), own.end(), [&](size_t c) { return target(c).opens || target(c).closes; });
         const bool begins_paragraph =
             starts_paragraph(clauses.front().source) && !starts_paragraph(clauses.back().source + 1);
-        // A clock that is asked first in a block is asked before what takes its time.
-        const bool starts_clock = was_before != kNothing && before(was_before).opens && asks_clock(clauses.back());
+        // A clock that is asked first is asked right before what takes its time.
+        const bool only_clock = std::all_of(clauses.begin(), clauses.end(), [&](const ClauseAdded& clause) {
+            return asks_clock(clause) || waits(clause.source);
+        });
+        const bool starts_clock = was_before != kNothing && asks_clock(clauses.back()) &&
+                                  (before(was_before).opens || (only_clock && is_asked_first(clauses.back().source)));
         // What the port prepares a launch by comes before what the source does right before it.
         const bool goes_right = run.beside == Beside::Right ||
                                 (run.beside != Beside::Left && (goes_around || begins_paragraph ||

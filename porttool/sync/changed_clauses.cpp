@@ -8,6 +8,7 @@
 
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
+#include "porttool/sync/bare_declaration.h"
 #include "porttool/sync/elsewhere_changes.h"
 #include "porttool/sync/launch_manner.h"
 #include "porttool/sync/operands.h"
@@ -74,7 +75,8 @@ private:
                              "`; the port's condition there is another one",
                          now(is).first, target(there).first);
         if (there == kNothing || texts_.across.likeness[was] < kSure || gives_another(was, there)) {
-            if (there == kNothing && stands_in_target(is)) {
+            if (there == kNothing && (stands_in_target(is) || only_groups_names(was, is) ||
+                                      named_values_.only_name(texts_.now, now(is), texts_.before, before(was)))) {
                 ++out_.already;
                 return;
             }
@@ -101,6 +103,12 @@ private:
                              shown(texts_.before.words, before(was).first, before(was).end) + "`; " + why,
                          now(is).first, target(there).first);
         words_.change_words(hunks, was, is, there);
+    }
+
+    /// True for names that are declared together, or apart, as they were not before.
+    bool only_groups_names(size_t was, size_t is) const {
+        const auto old = bare_declaration(texts_.before, before(was)), fresh = bare_declaration(texts_.now, now(is));
+        return old && fresh && declares_all(texts_.now, *old) && declares_all(texts_.before, *fresh);
     }
 
     /// True for a launch that is written in another form, or says how many threads it is for with `dim3 ( n )` or with

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/sync/device_wait.h"
 
+#include <algorithm>
 #include <set>
 
 #include "porttool/normal/declaration_words.h"
@@ -42,6 +43,26 @@ DeviceWait device_wait(const std::vector<std::string>& unit, const ScannedFile& 
     if (queues.size() == 1) return std::vector<std::string>{*queues.begin(), ".", "wait", "(", ")", ";"};
     if (queues.empty() && offloads_by_openmp(file)) return std::vector<std::string>();
     return {};
+}
+
+NormalText without_waits(const NormalText& text, const std::vector<std::string>& wait) {
+    const Words words = text.words();
+    const auto is_at = [&](size_t i, const std::vector<std::string>& statement) {
+        return !statement.empty() && (i == 0 || is_one_of(words[i - 1], {";", "{", "}"})) &&
+               i + statement.size() <= words.size() &&
+               std::equal(statement.begin(), statement.end(), words.begin() + static_cast<std::ptrdiff_t>(i));
+    };
+    const std::vector<std::vector<std::string>> all = {
+        {"cudaDeviceSynchronize", "(", ")", ";"}, {"hipDeviceSynchronize", "(", ")", ";"}, wait};
+    NormalText out;
+    for (size_t i = 0; i < words.size();) {
+        const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return is_at(i, one); });
+        if (found == all.end())
+            out.add(words[i++]);
+        else
+            i += found->size();
+    }
+    return out;
 }
 
 bool waits_for_device(const std::vector<std::string>& words, size_t first, size_t end) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "porttool/normal/normal_text.h"
 #include "porttool/scan/unit.h"
 
 namespace porttool {
@@ -18,6 +19,9 @@ using DeviceWait = std::optional<std::vector<std::string>>;
 
 /// Of a unit's words in its file.
 DeviceWait device_wait(const std::vector<std::string>& unit, const ScannedFile& file);
+
+/// A unit's text without the statements that wait for a device, those of the port, `wait`, among them.
+NormalText without_waits(const NormalText& text, const std::vector<std::string>& wait);
 
 /// True for the statement words[first, end) that waits so in CUDA or HIP.
 bool waits_for_device(const std::vector<std::string>& words, size_t first, size_t end);

@@ -43,6 +43,9 @@ EditReading::EditReading(const EditTexts& texts, const EditTranslator& translato
     : texts_(texts), translator_(translator), written_(written), origin_(texts.now.clauses.size(), kNothing) {
     for (size_t c = 0; c < texts.before.clauses.size(); ++c)
         if (const size_t now = texts.edit.clause_of[c]; now != kNothing) origin_[now] = c;
+    std::vector<bool> is_new;
+    for (const size_t origin : origin_) is_new.push_back(origin == kNothing);
+    named_values_ = NamedValues(texts.now, is_new);
     stands_for_.insert(texts.across.clause_of.begin(), texts.across.clause_of.end());
     find_doubtful();
 }

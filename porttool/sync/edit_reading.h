@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "porttool/sync/named_values.h"
 #include "porttool/sync/transplant.h"
 
 namespace porttool {
@@ -59,6 +60,7 @@ protected:
     const EditTranslator& translator_;
     const std::function<std::string(size_t)>& written_;
     std::vector<size_t> origin_;  ///< of each clause of now, the one before
+    NamedValues named_values_;
 
 private:
     /// Where the target says the words, if it does so once.

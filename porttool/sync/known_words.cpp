@@ -414,7 +414,8 @@ bool KnownWords::scopes_builtins() const {
             dialect_.meaning(lexed.view(i)) == nullptr || roles_of(lexed.view(i)) != 0)
             continue;
         if (lexed.view(i - 1) != "::") return false;
-        ++scoped;
+        // What C has without a scope C++ has in `std` as well.
+        scoped += i < 2 || lexed.view(i - 2) != "std" ? 1 : 0;
     }
     return scoped > 0;
 }
@@ -455,6 +456,16 @@ bool KnownWords::uses_std() const {
         const std::string_view word = lexed.view(i), last = lexed.view(i - 1);
         if (word == "std" && last == "namespace" && lexed.view(i - 2) == "using") return true;
         if ((word == "min" || word == "max") && lexed.view(i + 1) == "(" && last != "::" && last != ".") return true;
+    }
+    return false;
+}
+
+bool KnownWords::is_there_without_scope(std::string_view word) const {
+    const LexedText& lexed = to_.edited.lexed;
+    for (uint32_t i = 2; i < lexed.tokens.size(); ++i) {
+        const std::string_view last = lexed.view(i - 1);
+        if (lexed.view(i) == "std" && last == "namespace" && lexed.view(i - 2) == "using") return true;
+        if (lexed.view(i) == word && last != "::" && last != "." && last != "->") return true;
     }
     return false;
 }

@@ -146,6 +146,8 @@ public:
     /// True for a constant that neither side declares, of a family whose others both files have under one name: with
     /// `GGML_OP_NORM` and `GGML_OP_ADD` in both, `GGML_OP_SUB` is from where these are.
     bool is_of_shared_family(std::string_view word) const;
+    /// True if the target's file says a name of `std` without that, or may say each so.
+    bool is_there_without_scope(std::string_view word) const;
     /// The scope that words of the target call every built-in in, as `sycl ::`; none where they call one otherwise.
     std::vector<std::string> scope_of_builtins(const std::vector<std::string>& words) const;
     /// True for a function that languages have of themselves, which no file of the target declares.

@@ -41,10 +41,46 @@ void declare_constants(const AlignedText& text, const UnitWords& words, const st
     for (ClausesAdded& one : found.added)
         for (ClauseAdded& clause : one.clauses) {
             const size_t first = text.clauses[clause.source].first;
-            if (words.is_added(first) || clause.words.empty() || clause.words.front().text == "const") continue;
+            if (clause.is_wait || words.is_added(first) || clause.words.empty()) continue;
+            if (clause.words.front().text == "const") continue;
             if (std::find(tokens.begin(), tokens.end(), words.tokens[first]) != tokens.end())
                 clause.words.insert(clause.words.begin(), {"const", CarriedWord::kNoSource});
         }
+}
+
+/// Statements that are left since nothing tells how the port says the same words are one item: what answers one answers
+/// all of them.
+class RepeatedReasons {
+public:
+    /// `place`: where the item would stand among those that are left.
+    bool is_told(const std::string& message, size_t place) {
+        const size_t why = message.rfind("; nothing tells how the port says `");
+        if (why == std::string::npos) return false;
+        const auto [told, is_new] = by_reason_.try_emplace(message.substr(why), Told{place, 0});
+        if (!is_new) ++told->second.more;
+        return !is_new;
+    }
+
+    void count_in(std::vector<LeftItem>& left) const {
+        for (const auto& [reason, told] : by_reason_)
+            if (told.more > 0)
+                left[told.place].message +=
+                    " (and so in " + std::to_string(told.more) + (told.more == 1 ? " place more)" : " places more)");
+    }
+
+private:
+    struct Told {
+        size_t place, more;
+    };
+    std::map<std::string, Told> by_reason_;
+};
+
+/// True if the port gets a wait of its own.
+bool has_wait(const Transplant& found) {
+    return std::any_of(found.added.begin(), found.added.end(), [](const ClausesAdded& one) {
+        return std::any_of(one.clauses.begin(), one.clauses.end(),
+                           [](const ClauseAdded& clause) { return clause.is_wait; });
+    });
 }
 
 /// What the names of both units and their paths have of their own.
@@ -178,6 +214,7 @@ void PairCarrier::carry(const PairEdit& edit, Proposal& out) {
     CalledForms forms;
     const UnitWords there = words_of_unit(draft.scanned, *port);
     forms.add(Words(there.words.begin(), there.words.end()));
+    add_functions_of_vectors(other->language, forms);
     Texts texts({*file, *other, *unit, draft, *port}, edit, forms, WordKeys(knowledge_.dialect()));
     if (holds_a_part(edit, texts.across))
         return leave_at_heads(
@@ -272,12 +309,15 @@ Transplant PairCarrier::transplanted(const PairEdit& edit, const Texts& texts, K
             transplant(laid, EditTranslator(texts.examples, beside, units, names.lone, known, names.brought, around),
                        written, is_method);
     } while (lose_undeclared(is.words, found, names.from_elsewhere, names.brought, names.lone));
+    RepeatedReasons reasons;
     for (const LeftOver& left : found.left) {
         const auto reason = first_reasons.find(left.source_word);
-        out.left.push_back(left_at(edit.from, reason == first_reasons.end() ? left.message : reason->second,
-                                   line_at(file, is, left.source_word),
+        std::string message = reason == first_reasons.end() ? left.message : reason->second;
+        if (reasons.is_told(message, out.left.size())) continue;
+        out.left.push_back(left_at(edit.from, std::move(message), line_at(file, is, left.source_word),
                                    line_at(texts.draft.scanned, texts.there, left.target_word)));
     }
+    reasons.count_in(out.left);
     return found;
 }
 
@@ -374,6 +414,8 @@ void PairCarrier::finish(const PairEdit& edit, const Texts& texts, const Transpl
         return refuse("the port made of this edit could not be read back");
     if (has_stray_directive(scanned, *unit)) return refuse("a directive of the port would stand within a line");
     const std::vector<std::string> new_words = words_of_unit(scanned, *unit).words;
+    if (ends_its_directives(old_words) && !ends_its_directives(new_words))
+        return refuse("an `#if` of the port would go without its `#endif`, or the other way round");
     for (const std::string& name : templates_without_arguments(scanned, old_words, new_words))
         leave_where("`" + name + "`", "the port's `" + name + "` is a template, which takes arguments");
     for (const std::string& name : names_lost(scanned, old_words, new_words))
@@ -390,9 +432,18 @@ void PairCarrier::finish(const PairEdit& edit, const Texts& texts, const Transpl
     const bool to_target = edit.to() == Side::Target;
     const NormalText &source = to_target ? pair.unit.source->text : state.text,
                      &target = to_target ? state.text : pair.unit.target->text;
-    const PairComparison compared =
-        compare_now(pair, edit.line, edit.before, source, to_target ? pair.unit.source->prints : state.prints, target,
-                    to_target ? state.prints : pair.unit.target->prints, knowledge_.dialect());
+    const auto compare = [&](const BySide<NormalText>& before, const NormalText& on_source,
+                             const NormalText& on_target) {
+        return compare_now(pair, edit.line, before, on_source, to_target ? pair.unit.source->prints : state.prints,
+                           on_target, to_target ? state.prints : pair.unit.target->prints, knowledge_.dialect());
+    };
+    PairComparison compared = compare(edit.before, source, target);
+    // Waits that the port does without, or has of its own, are no part of what the edit says.
+    if (const DeviceWait wait = device_wait(texts.there.words, texts.other);
+        compared.standing > Standing::Equivalent && wait && (wait->empty() || has_wait(found))) {
+        const auto plain = [&](const NormalText& text) { return without_waits(text, *wait); };
+        compared = compare({plain(edit.before.source), plain(edit.before.target)}, plain(source), plain(target));
+    }
     out.state = out.left.empty() ? ProposalState::Proposed : ProposalState::Partial;
     const auto is_asked_about = [&] {
         if (compared.standing <= Standing::Equivalent) return false;

@@ -135,6 +135,16 @@ std::string gives_back_as_before(const std::vector<std::string>& was, const std:
     return {};
 }
 
+bool ends_its_directives(const std::vector<std::string>& words) {
+    int depth = 0;
+    for (size_t i = 0; i + 1 < words.size(); ++i) {
+        if (words[i] != "#") continue;
+        depth += is_one_of(words[i + 1], {"if", "ifdef", "ifndef"}) ? 1 : words[i + 1] == "endif" ? -1 : 0;
+        if (depth < 0) return false;
+    }
+    return depth == 0;
+}
+
 std::string doubled_qualifier(const std::vector<std::string>& was, const std::vector<std::string>& is) {
     const auto doubled = [](const std::vector<std::string>& words) {
         std::map<std::string_view, size_t> out;

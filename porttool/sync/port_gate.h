@@ -54,6 +54,9 @@ std::set<std::string> names_lost(const ScannedFile& file, const std::vector<std:
 /// What a port whose function came to give a value back, or no longer does, still gives back as before; "" for nothing.
 std::string gives_back_as_before(const std::vector<std::string>& was, const std::vector<std::string>& is);
 
+/// True if each `#if` of a unit has its `#endif`, and the other way round.
+bool ends_its_directives(const std::vector<std::string>& words);
+
 /// A qualifier that stands twice where it stood once, or not at all; "" for none.
 std::string doubled_qualifier(const std::vector<std::string>& was, const std::vector<std::string>& is);
 

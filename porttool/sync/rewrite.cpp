@@ -237,7 +237,7 @@ private:
                                                    : indent_in(parent);
         std::string out;
         std::string indent = deeper(base, before_else ? 0 : levels);
-        bool first = true;
+        bool first = true, behind_wait = false;
         for (const ClauseAdded& clause : one.clauses) {
             const Clause& from = source_.clauses[clause.source];
             if (from.closes) indent = deeper(indent, depth_.step(clause.source));
@@ -250,9 +250,12 @@ private:
                 else if (first && from.closes)
                     out += "\n" + indent + code;
                 else
-                    out += (!first || blank_fits(before) ? std::string(blank_lines_before(clause.source), '\n') : "") +
+                    out += (!behind_wait && (!first || blank_fits(before))
+                                ? std::string(blank_lines_before(clause.source), '\n')
+                                : "") +
                            "\n" + indent + code;
                 first = false;
+                behind_wait = clause.is_wait;
             }
             if (from.opens) indent = deeper(indent, depth_.step(clause.source));
         }

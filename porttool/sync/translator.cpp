@@ -296,6 +296,7 @@ CarriedWords EditTranslator::carry_words(const std::vector<std::string>& words, 
         Examples::Phrase phrase = pair_.longest(words, i, stop, i < head_end);
         if (phrase.length == 0 && is_word_token(words[i]) && !brought_.contains(words[i]))
             phrase = beside_.file().longest(words, i, stop, i < head_end);
+        if (drops_std(words, i, phrase)) phrase = {};
         if (phrase.length > phrase.target.size() && i + phrase.length < words.size() &&
             has_template_arguments(words, i + phrase.length) && has_std_scope(words, i))
             out.unknown.push_back(words[i + phrase.length - 1] + "<>");
@@ -329,6 +330,14 @@ CarriedWords EditTranslator::carry_words(const std::vector<std::string>& words, 
         ++i;
     }
     return out;
+}
+
+/// True for a phrase that says `std ::` without it, before a name that the port's file never has so: what it does for
+/// `std :: max` is no example of `std :: chrono`.
+bool EditTranslator::drops_std(const std::vector<std::string>& words, size_t i, const Examples::Phrase& phrase) const {
+    const size_t next = i + phrase.length;
+    return phrase.length >= 2 && words[next - 2] == "std" && words[next - 1] == "::" && next < words.size() &&
+           (phrase.target.empty() || phrase.target.back() != "::") && !known_.is_there_without_scope(words[next]);
 }
 
 std::vector<std::string> EditTranslator::meaning(const std::vector<std::string>& words, size_t first,

@@ -111,6 +111,8 @@ public:
         return known_.is_of_source(name) || known_.is_declared_there(name);
     }
 
+    bool drops_std(const std::vector<std::string>& words, size_t i, const Examples::Phrase& phrase) const;
+
     /// True if one of words[first, end) calls what takes another number of arguments on the target's side.
     bool calls_otherwise(const std::vector<std::string>& words, size_t first, size_t end) const;
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "porttool/sync/added_clauses.h"
+#include "porttool/sync/bare_declaration.h"
 #include "porttool/sync/changed_clauses.h"
 #include "porttool/sync/edit_reading.h"
 #include "porttool/sync/old_uses.h"
@@ -53,8 +54,10 @@ private:
             const std::optional<size_t> elsewhere = goes_for_good(was) ? only_statement(was) : std::nullopt;
             if (elsewhere)
                 out_.removed.push_back(*elsewhere);
-            else if (!clause.closes)
+            else if (!clause.closes && !only_declared(was))
                 lost_.push_back(was);
+            else if (!clause.closes)
+                ++out_.already;
             return;
         }
         if (!clause.closes &&
@@ -75,6 +78,17 @@ private:
             }
         }
         out_.removed.push_back(there);
+    }
+
+    /// True for a declaration that gave no value, of names that are declared together with others now, or that the port
+    /// never had.
+    bool only_declared(size_t was) const {
+        const auto old = bare_declaration(texts_.before, before(was));
+        if (!old) return false;
+        if (declares_all(texts_.now, *old)) return true;
+        const std::vector<std::string>& words = texts_.target.words;
+        return old->is_plain && std::none_of(words.begin(), words.end(),
+                                             [&](const std::string& word) { return old->names.contains(word); });
     }
 
     /// True for a statement that stands elsewhere in the source's new text, and was not carried there: the port has it

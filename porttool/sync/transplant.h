@@ -26,7 +26,8 @@ struct WordsReplaced {
 /// A clause that the target gets.
 struct ClauseAdded {
     std::vector<CarriedWord> words;
-    size_t source = 0;  ///< the clause of the source's new text
+    size_t source = 0;     ///< the clause of the source's new text
+    bool is_wait = false;  ///< a wait of the port's own before that clause
 };
 
 /// Clauses that come before a word of the target, where one of its clauses begins.

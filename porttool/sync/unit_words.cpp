@@ -90,6 +90,14 @@ UnitWords words_of_record(const NormalText& text) {
     return out;
 }
 
+void add_functions_of_vectors(Language language, CalledForms& forms) {
+    const bool has_vectors = language == Language::OpenCl || language == Language::Glsl || language == Language::Hlsl ||
+                             language == Language::Metal || language == Language::Slang;
+    if (!has_vectors) return;
+    for (const std::string_view name : {"length", "dot", "cross", "normalize", "distance"})
+        if (forms.function_for(std::string(name)).empty()) forms.add({name, "("});
+}
+
 UnitWords in_forms_of(const CalledForms& there, UnitWords words) {
     for (const auto& reword : {with_functions_for_methods, with_methods_for_functions}) {
         const Reworded said = reword(Words(words.words.begin(), words.words.end()), there);

@@ -32,6 +32,10 @@ bool runs_on_device(const ScannedFile& file, const Unit& unit);
 UnitWords words_of_unit(const ScannedFile& file, const Unit& unit);
 UnitWords words_of_record(const NormalText& text);
 
+/// Adds what a language has as functions of vectors, and a library of C++ as methods, where the port has no function of
+/// its own for that: `length ( z )`.
+void add_functions_of_vectors(Language language, CalledForms& forms);
+
 /// The words with calls in the forms that the other side has for them: `length ( z )` for `z . Length ( )`, and the
 /// other way round.
 UnitWords in_forms_of(const CalledForms& there, UnitWords words);

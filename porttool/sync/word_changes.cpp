@@ -104,7 +104,9 @@ bool WordChanger::says_no_value(const Hunk& hunk) const {
                                return is_one_of(word, {"const", "restrict", "__restrict", "__restrict__"});
                            });
     };
-    return all(texts_.before.words, hunk.first, hunk.end) && all(texts_.now.words, hunk.now_first, hunk.now_end);
+    if (all(texts_.before.words, hunk.first, hunk.end) && all(texts_.now.words, hunk.now_first, hunk.now_end))
+        return true;
+    return named_values_.only_name(texts_.now, {hunk.now_first, hunk.now_end}, texts_.before, {hunk.first, hunk.end});
 }
 
 void WordChanger::change_words_of(Hunk hunk, size_t was, size_t there) {

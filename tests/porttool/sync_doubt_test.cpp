@@ -238,5 +238,152 @@ TEST_F(SyncDoubt, ANewArgumentStandsBehindThePortsOwnAsOthersDo) {
     expect_written(file("", "n, ", ", "), file("queue& q, ", "n, ", ", "));
 }
 
+/// A host function with statements of the source's own, and a number that both sides have.
+std::string counted(const std::string& own, const std::string& count) {
+    return "int host(float* a, int n) {\n  prepare(a, n);\n" + own + "  finish(a, n * " + count +
+           ");\n  return 0;\n}\n";
+}
+
+TEST_F(SyncDoubt, NamesDeclaredTogetherOrApartAreNothingToAPortThatHasThemNot) {
+    start("k.cu", counted("  float* d_a;\n  float* d_b;\n  hand(&d_a, &d_b);\n", "2"), "k.cpp", counted("", "2"));
+    expect_ported(counted("  float *d_a, *d_b;\n  hand(&d_a, &d_b);\n", "3"), counted("", "3"));
+}
+
+TEST_F(SyncDoubt, ADeclarationThatGoesIsNothingToAPortThatNeverHadTheName) {
+    start("k.cu", counted("  dim3 blocks;\n  double spent[4];\n", "2"), "k.cpp", counted("", "2"));
+    expect_ported(counted("", "3"), counted("", "3"));
+}
+
+TEST_F(SyncDoubt, ANameForWhatStoodThereIsNothingToAPortWithoutTheStatement) {
+    const std::string copy = "  cudaMemcpy(d, a, n * sizeof(float), cudaMemcpyHostToDevice);\n";
+    start("k.cu", counted(copy, "2"), "k.cpp", counted("", "2"));
+    const std::string named = "  cudaMemcpy(d, a, bytes, cudaMemcpyHostToDevice);\n";
+    const std::string size = "  size_t bytes = n * sizeof(float);\n";
+    const auto tells_of_copy = [&](const std::string& own) {
+        return proposal_of(counted(own, "3"))["left"].dump().find("clearly stands for `cudaMemcpy") !=
+               std::string::npos;
+    };
+    EXPECT_FALSE(tells_of_copy(size + named));
+    EXPECT_TRUE(tells_of_copy("  size_t bytes = m * sizeof(float);\n" + named)) << "another value";
+    EXPECT_TRUE(tells_of_copy("  size_t bytes = n * sizeof(float);\n  bytes += 4;\n" + named)) << "written behind it";
+    EXPECT_TRUE(tells_of_copy("  size_t bytes = n * sizeof(float);\n  n = 4;\n" + named)) << "made of what is written";
+    EXPECT_TRUE(tells_of_copy("  size_t bytes = n * sizeof(float);\n" + replaced(named, "bytes", "bytes + 1")));
+}
+
+TEST_F(SyncDoubt, AnotherTypeOrAValueOfWhatIsDeclaredIsTold) {
+    start("k.cu", counted("  float* d_a;\n  float* d_b;\n  hand(&d_a, &d_b);\n", "2"), "k.cpp", counted("", "2"));
+    expect_left(counted("  double *d_a, *d_b;\n  hand(&d_a, &d_b);\n", "3"), "d_a", 2);
+    expect_left(counted("  float *d_a = first(n), *d_b;\n  hand(&d_a, &d_b);\n", "3"), "d_a", 2);
+}
+
+TEST_F(SyncDoubt, WhatGoesWithAValueOrIsAnObjectIsTold) {
+    for (const std::string own : {"  float spent = measure(n);\n", "  Stopwatch watch;\n"}) {
+        start("k.cu", counted(own, "2"), "k.cpp", counted("", "2"));
+        expect_left(counted("", "3"), "lost", 2);
+    }
+}
+
+TEST_F(SyncDoubt, WhatNothingTellsIsAskedOnce) {
+    const auto checked = [](const std::string& check, const std::string& end) {
+        return "int host(float* a, int n) {\n  " + check + "prepare(a, n)" + end + ";\n  " + check + "work(a, n)" +
+               end + ";\n  " + check + "finish(a, n)" + end + ";\n  return 0;\n}\n";
+    };
+    start("k.cu", checked("", ""), "k.cpp", checked("", ""));
+    const nlohmann::json got = proposal_of(checked("MUST(", ")"));
+    ASSERT_EQ(got["left"].size(), 1) << got.dump(1);
+    EXPECT_NE(got["left"][0]["message"].get<std::string>().find("`MUST` (and so in"), std::string::npos) << got.dump(1);
+}
+
+TEST_F(SyncDoubt, AMethodIsTheFunctionThatTheLanguageHasOfVectors) {
+    const auto fold = [](const std::string& head, const std::string& more) {
+        return head + " {\n  float r = 2.0f;\n" + more + "  return r;\n}\n";
+    };
+    const std::string cpp = "float fold(Vector4 z, float k)", cl = "float fold(float4 z, float k)";
+    start("k.cpp", fold(cpp, ""), "k.cl", fold(cl, ""));
+    expect_ported(fold(cpp, "  r = z.Length() * k + z.Dot(z);\n"), fold(cl, "  r = length(z) * k + dot(z, z);\n"));
+}
+
+TEST_F(SyncDoubt, AMethodStaysOneWhereVectorsAreOfALibrary) {
+    const auto fold = [](const std::string& more) {
+        return "float fold(Vector4 z, float k) {\n  float r = 2.0f;\n" + more + "  return r;\n}\n";
+    };
+    start("k.cpp", fold(""), "k.cu", fold(""));
+    const nlohmann::json got = proposal_of(fold("  r = z.Length() * k;\n"));
+    EXPECT_EQ(got.dump().find("length("), std::string::npos) << got.dump(1);
+}
+
+TEST_F(SyncDoubt, AFunctionOfCNeedsNoScopeWhereThePortHasOthersInStd) {
+    const auto host = [](const std::string& scope, const std::string& more) {
+        return "int host(const float* a, int n) {\n  float most = " + scope + "max(a[0], 1.0f);\n" + more +
+               "  return most > n;\n}\n";
+    };
+    start("k.cu", host("std::", ""), "k.cpp", host("std::", ""));
+    const std::string more = "  if (fabs(a[1] - most) > 0.5f) return 0;\n";
+    expect_ported(host("std::", more), host("std::", more));
+}
+
+TEST_F(SyncDoubt, AFunctionOfCIsNotTakenForOneOfAScopeOfItsOwn) {
+    const auto host = [](const std::string& scope, const std::string& more) {
+        return "int host(const float* a, int n) {\n  float most = " + scope + "max(a[0], 1.0f);\n" + more +
+               "  return most > n;\n}\n";
+    };
+    start("k.cu", host("", ""), "k.cpp", host("sycl::", ""));
+    const nlohmann::json got = proposal_of(host("", "  if (fabs(a[1] - most) > 0.5f) return 0;\n"));
+    EXPECT_EQ(got.dump().find("+  if (fabs"), std::string::npos) << got.dump(1);
+}
+
+TEST_F(SyncDoubt, WhatThePortSaysOfOneNameWithoutStdIsNoExampleOfAnother) {
+    const auto host = [](const std::string& scope, const std::string& more) {
+        return "int host(const float* a, int n) {\n  float most = " + scope + "max(a[0], a[1]);\n  most = " + scope +
+               "max(most, a[2]);\n" + more + "  return most > n;\n}\n";
+    };
+    start("k.cu", host("std::", ""), "k.cpp", host("", ""));
+    expect_ported(host("std::", "  most = std::max(most, a[3]);\n" +
+                                    std::string("  auto now = std::chrono::steady_clock::now();\n")),
+                  host("", "  most = max(most, a[3]);\n  auto now = std::chrono::steady_clock::now();\n"));
+}
+
+TEST_F(SyncDoubt, ADirectiveDoesNotGoWithoutItsEnd) {
+    const auto timed = [](const std::string& ask, const std::string& end) {
+        return "int host(float* a, int n) {\n" + ask + "  begin(a);\n" + end + "  work(a, n);\n  return 0;\n}\n";
+    };
+    const std::string ask = "#ifdef TIMED\n", end = "#endif\n";
+    start("k.cu", timed(ask, end), "k.cpp", replaced(timed(ask, end), "  work", ask + "  tell(a);\n" + end + "  work"));
+    const nlohmann::json got = proposal_of(replaced(timed("", ""), "n)", "n * 2)"));
+    const std::string patch = got["patch"].is_string() ? got["patch"].get<std::string>() : "";
+    EXPECT_EQ(patch.find("-#endif") == std::string::npos, patch.find("-#ifdef") == std::string::npos) << got.dump(1);
+}
+
+class SyncOfAMacro : public SyncedRepository {
+protected:
+    void SetUp() override {
+        SyncedRepository::SetUp();
+        write(source_path = "src/k.cu", kSource);
+        write(port_path = "port/k.h", kPort);
+        ASSERT_EQ(porttool({"init", "--source", "src/*", "--target", "port/*"}).exit_code, 0);
+        for (const std::string pair : {"src/k.cu:shade=port/k.h:shade", "src/k.cu:tint=port/k.h:DEFINE"})
+            ASSERT_EQ(porttool({"accept", pair}).exit_code, 0);
+        commit("in step");
+    }
+    const std::string kSource =
+        "float shade(float x) {\n  return x * 2.0f;\n}\nfloat tint(float x) {\n  return x + 4.0f;\n}\n";
+    const std::string kPort =
+        "#define shade(x) ((x) * 2.0f)\n#define DEFINE(name) float name(float x) { \\\n  return x + 4.0f; \\\n}\n"
+        "DEFINE(tint)\n";
+};
+
+TEST_F(SyncOfAMacro, WhatStaysOnItsLineIsCarried) {
+    expect_written(replaced(kSource, "4.0f", "5.0f"), replaced(kPort, "4.0f", "5.0f"));
+}
+
+TEST_F(SyncOfAMacro, ANewLineIsLeft) {
+    expect_left(replaced(kSource, "  return x + 4.0f;", "  float y = x + 4.0f;\n  return y * y;"), "behind a backslash",
+                3);
+}
+
+TEST_F(SyncOfAMacro, AnExpressionThatTheSourceReturnsIsLeft) {
+    expect_left(replaced(kSource, "2.0f", "3.0f"), "nothing that clearly stands for", 1);
+}
+
 }  // namespace sync_doubt_test
 }  // namespace porttool::testing

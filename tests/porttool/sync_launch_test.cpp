@@ -65,9 +65,74 @@ TEST_F(SyncLaunch, WithoutItsLikeTheOrderOfWhatStoodAroundItIsLeft) {
     EXPECT_NE(all.find("has no counterpart there"), std::string::npos) << all;
 }
 
-TEST_F(SyncLaunch, AClockDoesNotRunAheadOfWhatThePortOnlyStarted) {
+TEST_F(SyncLaunch, AClockWaitsForWhatThePortOnlyStarted) {
     start("k.cpp", omp_run("", ""), "k_sycl.cpp", sycl_run("", ""));
+    expect_written(omp_run("", "\n" + kEnd), sycl_run("", "\n  q.wait();\n" + kEnd));
+}
+
+TEST_F(SyncLaunch, AClockDoesNotRunAheadWhereNothingTellsHowThePortWaits) {
+    const std::string port = replaced(sycl_run("", ""), "sycl::queue& q, ", "sycl::queue& q, sycl::queue& other, ");
+    start("k.cpp", omp_run("", ""), "k_sycl.cpp", port);
     expect_left(omp_run("", "\n" + kEnd), "does not wait there", 9);
+}
+
+TEST_F(SyncLaunch, WhatComesBeforeTheClockMayTakeTimeOfItsOwn) {
+    start("k.cpp", omp_run("", ""), "k_sycl.cpp", sycl_run("", ""));
+    expect_left(omp_run("", "\n  tidy(a, n);\n" + kEnd), "does not wait there", 9);
+}
+
+TEST_F(SyncLaunch, AWaitIsNothingWhereDirectivesWaitOfThemselves) {
+    const std::string sync = "  cudaDeviceSynchronize();\n";
+    const auto host = [](const std::string& count, const std::string& before, const std::string& launch,
+                         const std::string& behind) {
+        return "void run(float* a, int n" + count + ") {\n  prepare(a, n);\n" + before + "  for (int i = 0; i < " +
+               (count.empty() ? "100" : "times") + "; ++i)\n    " + launch + behind + "  finish(a, n);\n}\n";
+    };
+    const std::string kernel =
+        "void work(float* a, int n) {\n  #pragma omp target teams distribute parallel for\n"
+        "  for (int i = 0; i < n; ++i) a[i] = a[i] * 2.0f;\n}\n";
+    const std::string cuda = "work<<<n / 64, 64>>>(a, n);\n", call = "work(a, n);\n", times = ", int times";
+    start("k.cu", host("", "", cuda, ""), "k.cpp", kernel + host("", "", call, ""));
+    expect_ported(host(times, sync + kStart, cuda, sync + kEnd), kernel + host(times, kStart, call, kEnd));
+}
+
+TEST_F(SyncLaunch, ADirectiveThatIsAStatementGovernsNothing) {
+    const auto host = [](const std::string& copy, const std::string& more) {
+        return "void run(float* a, int n) {\n  prepare(a, n);\n" + copy + more +
+               "  for (int i = 0; i < n; ++i) {\n"
+               "    a[i] = a[i] * 2.0f;\n  }\n  finish(a, n);\n}\n";
+    };
+    const std::string copy = "  cudaMemcpy(d, a, n, cudaMemcpyHostToDevice);\n",
+                      update = "  #pragma omp target update to (a[0:n])\n";
+    start("k.cu", host(copy, ""), "k.cpp", host(update, ""));
+    expect_ported(host(copy, kStart), host(update, kStart));
+}
+
+TEST_F(SyncLaunch, NothingComesBetweenADirectiveAndItsLoop) {
+    const auto host = [](const std::string& copy, const std::string& more) {
+        return "void run(float* a, int n) {\n  prepare(a, n);\n" + copy + more +
+               "  for (int i = 0; i < n; ++i) {\n"
+               "    a[i] = a[i] * 2.0f;\n  }\n  finish(a, n);\n}\n";
+    };
+    start("k.cpp", host("", ""), "k_omp.cpp", host("  #pragma omp parallel for\n", ""));
+    const nlohmann::json got = proposal_of(host("", kStart));
+    if (got["patch"].is_string()) {
+        EXPECT_LT(got["patch"].get<std::string>().find("start"), got["patch"].get<std::string>().find("#pragma"))
+            << got.dump(1);
+    }
+}
+
+TEST_F(SyncLaunch, WhatComesBehindALaunchStaysInTheBlockThatSetsItApart) {
+    const auto port = [](const std::string& behind) {
+        return "void run(sycl::queue& q, float* a, int n) {\n  prepare(a, n);\n  {\n"
+               "    sycl::buffer<float, 1> d_a(a, n);\n"
+               "    q.submit([&](sycl::handler& h) {\n"
+               "      h.parallel_for(n, [=](sycl::item<1> i) {\n        work(a, n, i);\n      });\n    });\n" +
+               behind + "  }\n  finish(a, n);\n}\n";
+    };
+    const std::string sync = "  cudaDeviceSynchronize();\n", wait = "    q.wait();\n";
+    start("k.cu", cuda_run("", ""), "k.cpp", port(wait));
+    expect_ported(cuda_run("", "\n" + sync + kEnd), port(wait + kEnd));
 }
 
 TEST_F(SyncLaunch, AClockBehindWhatThePortWaitsForIsCarried) {
@@ -295,7 +360,37 @@ TEST_F(SyncLaunch, ANewParameterComesBehindItsOwnNeighbour) {
                   mixed("const float coatVal, const float thick, const float tintVal"));
 }
 
-TEST_F(SyncLaunch, AClockBehindACallThatThePortOnlyStartsIsLeft) {
+TEST_F(SyncLaunch, WhatReadsTheDataDoesNotComeIntoTheBlockThatHasIt) {
+    const auto port = [](const std::string& behind) {
+        return "void run(sycl::queue& q, float* a, int n) {\n  prepare(n);\n  {\n"
+               "    sycl::buffer<float, 1> d_a(a, n);\n"
+               "    q.submit([&](sycl::handler& h) {\n"
+               "      h.parallel_for(n, [=](sycl::item<1> i) {\n        work(a, n, i);\n      });\n    });\n"
+               "    q.wait();\n" +
+               behind + "  }\n  finish(n);\n}\n";
+    };
+    const auto host = [](const std::string& behind) {
+        return "void run(float* a, int n) {\n  prepare(n);\n  work<<<n / 64, 64>>>(a, n);\n" + behind +
+               "  finish(n);\n}\n";
+    };
+    start("k.cu", host(""), "k.cpp", port(""));
+    expect_left(host("  cudaDeviceSynchronize();\n  tell(a);\n"), "block of its own", 10);
+}
+
+TEST_F(SyncLaunch, AClockThatBeginsATimeComesRightBeforeWhatTakesIt) {
+    const auto host = [](const std::string& begin, const std::string& end) {
+        return "void run(float* a, int n) {\n  prepare(a, n);\n" + begin +
+               "  for (int i = 0; i < n; ++i)\n    work(a, i);\n" + end + "  finish(a, n);\n}\n";
+    };
+    const auto port = [](const std::string& begin, const std::string& end) {
+        return "void run(float* a, int n) {\n  prepare(a, n);\n  #pragma omp target data map(tofrom: a[0:n])\n  {\n" +
+               begin + "  for (int i = 0; i < n; ++i)\n    work(a, i);\n" + end + "  }\n  finish(a, n);\n}\n";
+    };
+    start("k.cu", host("", ""), "k.cpp", port("", ""));
+    expect_ported(host(kStart, kEnd), port(kStart, kEnd));
+}
+
+TEST_F(SyncLaunch, AClockBehindACallThatThePortOnlyStartsWaitsForIt) {
     const std::string host =
         "void run(float* a, int n) {\n  prepare(a, n);\n  for (int i = 0; i < n; ++i)\n    work(a, n);\n";
     const std::string port =
@@ -304,7 +399,7 @@ TEST_F(SyncLaunch, AClockBehindACallThatThePortOnlyStartsIsLeft) {
         "      });\n    });\n";
     const std::string finish = "  finish(a, n);\n}\n";
     start("k.cpp", host + finish, "k_sycl.cpp", port + finish);
-    expect_left(host + kEnd + finish, "does not wait there", 9);
+    expect_ported(host + kEnd + finish, port + "  q.wait();\n" + kEnd + finish);
 }
 
 TEST_F(SyncLaunch, ABranchBeforeTheLastElseIsOneMoreOfTheChain) {
