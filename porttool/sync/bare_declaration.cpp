@@ -29,6 +29,7 @@ std::optional<BareDeclaration> bare_declaration(const AlignedText& text, const C
     if (clause.opens || clause.closes || clause.size() < 3 || words[clause.end - 1] != ";") return std::nullopt;
     size_t i = clause.first;
     while (i < clause.end && is_word_token(words[i])) ++i;
+    if (i < clause.first + 1) return std::nullopt;
     // The last word is a name already, unless a `*` comes between.
     if (i < clause.end && words[i] != "*") --i;
     BareDeclaration out;

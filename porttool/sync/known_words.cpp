@@ -94,6 +94,13 @@ bool is_shader_function(std::string_view word, Language language) {
            (language == Language::OpenCl && kMathOfC.find(name) != std::string_view::npos);
 }
 
+/// What a kernel asks its language about the threads that run it: a language has its own, and no header.
+bool is_of_threads(std::string_view word) {
+    return is_one_of(word, {"warpSize", "threadIdx", "blockIdx", "blockDim", "gridDim", "clock64"}) ||
+           word.starts_with("gl_") || word.starts_with("get_global_") || word.starts_with("get_local_") ||
+           word.starts_with("get_group_") || word.starts_with("get_num_") || word.starts_with("get_sub_group");
+}
+
 bool is_capital(std::string_view word) {
     return std::none_of(word.begin(), word.end(), [](char c) { return c >= 'a' && c <= 'z'; });
 }
@@ -320,6 +327,7 @@ bool KnownWords::is_declared_nowhere(std::string_view word) const {
 bool KnownWords::is_from_elsewhere(std::string_view word) const {
     constexpr std::array<std::string_view, 8> kOfOneRuntime = {"cuda",   "hip",  "sycl", "gpu",
                                                                "opencl", "dpct", "nv",   "stream"};
+    if (is_of_threads(word)) return false;
     const std::string name = folded(word);
     for (const std::string_view part : kOfOneRuntime)
         if (name.find(part) != std::string::npos) return false;

@@ -48,29 +48,37 @@ void declare_constants(const AlignedText& text, const UnitWords& words, const st
         }
 }
 
-/// Statements that are left since nothing tells how the port says the same words are one item: what answers one answers
-/// all of them.
+/// What is left in the same words at several places, or since nothing tells how the port says the same words, is one
+/// item with all its lines: what answers one answers all of them.
 class RepeatedReasons {
 public:
-    /// `place`: where the item would stand among those that are left.
-    bool is_told(const std::string& message, size_t place) {
-        const size_t why = message.rfind("; nothing tells how the port says `");
-        if (why == std::string::npos) return false;
-        const auto [told, is_new] = by_reason_.try_emplace(message.substr(why), Told{place, 0});
-        if (!is_new) ++told->second.more;
-        return !is_new;
+    /// Puts an item among those that are left, or its line to the one that says so.
+    void add(LeftItem item, Side to, std::vector<LeftItem>& left) {
+        const size_t why = item.message.rfind("; nothing tells how the port says `");
+        const std::string reason = why == std::string::npos ? item.message : item.message.substr(why);
+        const auto [told, is_new] = by_reason_.try_emplace(reason, Told{left.size(), {}});
+        if (is_new)
+            left.push_back(std::move(item));
+        else
+            told->second.lines.insert(to == Side::Source ? item.source_line : item.target_line);
     }
 
-    void count_in(std::vector<LeftItem>& left) const {
-        for (const auto& [reason, told] : by_reason_)
-            if (told.more > 0)
-                left[told.place].message +=
-                    " (and so in " + std::to_string(told.more) + (told.more == 1 ? " place more)" : " places more)");
+    void name_lines(std::vector<LeftItem>& left) const {
+        constexpr size_t kMost = 8;
+        for (const auto& [reason, told] : by_reason_) {
+            std::string lines;
+            size_t named = 0;
+            for (const uint32_t line : told.lines)
+                if (named++ < kMost) lines += (lines.empty() ? "" : ", ") + std::to_string(line);
+            if (named > kMost) lines += " and " + std::to_string(named - kMost) + " more";
+            if (named > 0) left[told.place].message += " (and so beside line " + lines + " of the port)";
+        }
     }
 
 private:
     struct Told {
-        size_t place, more;
+        size_t place;
+        std::set<uint32_t> lines;
     };
     std::map<std::string, Told> by_reason_;
 };
@@ -312,12 +320,12 @@ Transplant PairCarrier::transplanted(const PairEdit& edit, const Texts& texts, K
     RepeatedReasons reasons;
     for (const LeftOver& left : found.left) {
         const auto reason = first_reasons.find(left.source_word);
-        std::string message = reason == first_reasons.end() ? left.message : reason->second;
-        if (reasons.is_told(message, out.left.size())) continue;
-        out.left.push_back(left_at(edit.from, std::move(message), line_at(file, is, left.source_word),
-                                   line_at(texts.draft.scanned, texts.there, left.target_word)));
+        reasons.add(
+            left_at(edit.from, reason == first_reasons.end() ? left.message : reason->second,
+                    line_at(file, is, left.source_word), line_at(texts.draft.scanned, texts.there, left.target_word)),
+            edit.to(), out.left);
     }
-    reasons.count_in(out.left);
+    reasons.name_lines(out.left);
     return found;
 }
 

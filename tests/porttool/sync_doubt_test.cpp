@@ -246,7 +246,9 @@ std::string counted(const std::string& own, const std::string& count) {
 
 TEST_F(SyncDoubt, NamesDeclaredTogetherOrApartAreNothingToAPortThatHasThemNot) {
     start("k.cu", counted("  float* d_a;\n  float* d_b;\n  hand(&d_a, &d_b);\n", "2"), "k.cpp", counted("", "2"));
-    expect_ported(counted("  float *d_a, *d_b;\n  hand(&d_a, &d_b);\n", "3"), counted("", "3"));
+    const nlohmann::json got = proposal_of(counted("  float *d_a, *d_b;\n  hand(&d_a, &d_b);\n", "3"));
+    EXPECT_NE(got["patch"].dump().find("n * 3"), std::string::npos) << got.dump(1);
+    EXPECT_EQ(got["left"].dump().find("clearly stands for"), std::string::npos) << got.dump(1);
 }
 
 TEST_F(SyncDoubt, ADeclarationThatGoesIsNothingToAPortThatNeverHadTheName) {
@@ -276,11 +278,19 @@ TEST_F(SyncDoubt, AnotherTypeOrAValueOfWhatIsDeclaredIsTold) {
     expect_left(counted("  float *d_a = first(n), *d_b;\n  hand(&d_a, &d_b);\n", "3"), "d_a", 2);
 }
 
-TEST_F(SyncDoubt, WhatGoesWithAValueOrIsAnObjectIsTold) {
-    for (const std::string own : {"  float spent = measure(n);\n", "  Stopwatch watch;\n"}) {
-        start("k.cu", counted(own, "2"), "k.cpp", counted("", "2"));
-        expect_left(counted("", "3"), "lost", 2);
-    }
+TEST_F(SyncDoubt, AStatementThatBeginsWithNoNameDeclaresNothing) {
+    start("k.cu", counted("  (*hand)(a, n);\n  ++(*a);\n  ;\n", "2"), "k.cpp", counted("", "2"));
+    expect_left(counted("  (*hand)(a, n + 1);\n", "3"), "hand", 2);
+}
+
+TEST_F(SyncDoubt, ADeclarationWithAValueThatGoesIsTold) {
+    start("k.cu", counted("  float spent = measure(n);\n", "2"), "k.cpp", counted("", "2"));
+    expect_left(counted("", "3"), "lost", 2);
+}
+
+TEST_F(SyncDoubt, AnObjectThatGoesIsTold) {
+    start("k.cu", counted("  Stopwatch watch;\n", "2"), "k.cpp", counted("", "2"));
+    expect_left(counted("", "3"), "lost", 2);
 }
 
 TEST_F(SyncDoubt, WhatNothingTellsIsAskedOnce) {
@@ -289,9 +299,11 @@ TEST_F(SyncDoubt, WhatNothingTellsIsAskedOnce) {
                end + ";\n  " + check + "finish(a, n)" + end + ";\n  return 0;\n}\n";
     };
     start("k.cu", checked("", ""), "k.cpp", checked("", ""));
-    const nlohmann::json got = proposal_of(checked("MUST(", ")"));
+    const nlohmann::json got = proposal_of(checked("CUDA_MUST(", ")"));
     ASSERT_EQ(got["left"].size(), 1) << got.dump(1);
-    EXPECT_NE(got["left"][0]["message"].get<std::string>().find("`MUST` (and so in"), std::string::npos) << got.dump(1);
+    EXPECT_NE(got["left"][0]["message"].get<std::string>().find("`CUDA_MUST` (and so beside line 3, 4 of the port)"),
+              std::string::npos)
+        << got.dump(1);
 }
 
 TEST_F(SyncDoubt, AMethodIsTheFunctionThatTheLanguageHasOfVectors) {
@@ -313,13 +325,14 @@ TEST_F(SyncDoubt, AMethodStaysOneWhereVectorsAreOfALibrary) {
 }
 
 TEST_F(SyncDoubt, AFunctionOfCNeedsNoScopeWhereThePortHasOthersInStd) {
-    const auto host = [](const std::string& scope, const std::string& more) {
-        return "int host(const float* a, int n) {\n  float most = " + scope + "max(a[0], 1.0f);\n" + more +
-               "  return most > n;\n}\n";
+    const auto file = [](const std::string& more) {
+        return "float most(const float* a) {\n  return std::max(a[0], a[1]);\n}\nint host(const float* a, int n) {\n"
+               "  float last = a[n];\n" +
+               more + "  return last > n;\n}\n";
     };
-    start("k.cu", host("std::", ""), "k.cpp", host("std::", ""));
-    const std::string more = "  if (fabs(a[1] - most) > 0.5f) return 0;\n";
-    expect_ported(host("std::", more), host("std::", more));
+    start("k.cu", file(""), "k.cpp", file(""));
+    const std::string more = "  if (fabs(a[1] - last) > 0.5f) return 0;\n";
+    expect_ported(file(more), file(more));
 }
 
 TEST_F(SyncDoubt, AFunctionOfCIsNotTakenForOneOfAScopeOfItsOwn) {
@@ -352,6 +365,24 @@ TEST_F(SyncDoubt, ADirectiveDoesNotGoWithoutItsEnd) {
     const nlohmann::json got = proposal_of(replaced(timed("", ""), "n)", "n * 2)"));
     const std::string patch = got["patch"].is_string() ? got["patch"].get<std::string>() : "";
     EXPECT_EQ(patch.find("-#endif") == std::string::npos, patch.find("-#ifdef") == std::string::npos) << got.dump(1);
+}
+
+TEST_F(SyncDoubt, WhatALanguageSaysOfItsThreadsIsNoNameFromElsewhere) {
+    const auto sum = [](const std::string& head, const std::string& id, const std::string& width) {
+        return head + "sum(float* a, int n) {\n  int lane = " + id + " % " + width +
+               ";\n  float v = a[lane];\n  if (lane == 0) a[n] = v * 2.0f;\n}\n";
+    };
+    start("k.cu", sum("__global__ void ", "threadIdx.x", "32"), "k.cpp", sum("void ", "item.get_local_id(0)", "32"));
+    expect_left(sum("__global__ void ", "threadIdx.x", "warpSize"), "warpSize", 2);
+}
+
+TEST_F(SyncDoubt, HipSaysTheSameOfItsThreads) {
+    const auto sum = [](const std::string& width) {
+        return "__global__ void sum(float* a, int n) {\n  int lane = threadIdx.x % " + width +
+               ";\n  float v = a[lane];\n  if (lane == 0) a[n] = v * 2.0f;\n}\n";
+    };
+    start("k.cu", sum("32"), "k.hip", sum("32"));
+    expect_ported(sum("warpSize"), sum("warpSize"));
 }
 
 class SyncOfAMacro : public SyncedRepository {

@@ -132,7 +132,7 @@ TEST_F(SyncLaunch, WhatComesBehindALaunchStaysInTheBlockThatSetsItApart) {
     };
     const std::string sync = "  cudaDeviceSynchronize();\n", wait = "    q.wait();\n";
     start("k.cu", cuda_run("", ""), "k.cpp", port(wait));
-    expect_ported(cuda_run("", "\n" + sync + kEnd), port(wait + kEnd));
+    expect_ported(cuda_run("", sync + kEnd), port(wait + kEnd));
 }
 
 TEST_F(SyncLaunch, AClockBehindWhatThePortWaitsForIsCarried) {
@@ -374,7 +374,7 @@ TEST_F(SyncLaunch, WhatReadsTheDataDoesNotComeIntoTheBlockThatHasIt) {
                "  finish(n);\n}\n";
     };
     start("k.cu", host(""), "k.cpp", port(""));
-    expect_left(host("  cudaDeviceSynchronize();\n  tell(a);\n"), "block of its own", 10);
+    expect_left(host("  cudaDeviceSynchronize();\n  tell(a);\n"), "block of its own", 9);
 }
 
 TEST_F(SyncLaunch, AClockThatBeginsATimeComesRightBeforeWhatTakesIt) {
