@@ -119,9 +119,12 @@ private:
             return give_up("the port has statements of its own there, and which comes first matters");
         }
         if (!is_in_counterpart(block, *place)) return give_up("the block around it has no counterpart in the port");
-        const bool is_behind_left = beside_left && target(left).end == *place && !names_data_around(*place, clauses);
+        const bool is_before_launch = was_after != kNothing && launch_beginning(was_after) != nullptr &&
+                                      right != kNothing && target(right).first == *place;
+        const bool is_at_neighbour =
+            ((beside_left && target(left).end == *place) || is_before_launch) && !names_data_around(*place, clauses);
         if (parts_neighbours(left, right, *place) &&
-            !is_set_apart_for_data(*place, was_before, was_after, is_behind_left))
+            !is_set_apart_for_data(*place, was_before, was_after, is_at_neighbour))
             return give_up(
                 "the port has one of its neighbours in a block of its own, and whether it belongs there is not "
                 "told");
@@ -287,11 +290,11 @@ private:
     }
 
     /// True for a place beside the counterpart of a direct neighbour, in a block of the port's own that only says where
-    /// data is: `{`, or `# pragma omp target data {`. `is_behind_left`: right behind what stands for the one before it.
-    bool is_set_apart_for_data(size_t place, size_t was_before, size_t was_after, bool is_behind_left) const {
+    /// data is: `{`, or `# pragma omp target data {`. `is_at_neighbour`: beside what stands for one in another way.
+    bool is_set_apart_for_data(size_t place, size_t was_before, size_t was_after, bool is_at_neighbour) const {
         const size_t before_it = was_before == kNothing ? kNothing : counterpart(was_before);
         const size_t after_it = was_after == kNothing ? kNothing : counterpart(was_after);
-        const bool is_beside = is_behind_left || (before_it != kNothing && target(before_it).end == place) ||
+        const bool is_beside = is_at_neighbour || (before_it != kNothing && target(before_it).end == place) ||
                                (after_it != kNothing && target(after_it).first == place);
         if (!is_beside) return false;
         for (size_t c = block_at(place); c != Clause::kNone && !stands_for_something(c); c = target(c).inside)

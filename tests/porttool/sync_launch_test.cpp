@@ -123,16 +123,17 @@ TEST_F(SyncLaunch, NothingComesBetweenADirectiveAndItsLoop) {
 }
 
 TEST_F(SyncLaunch, WhatComesBehindALaunchStaysInTheBlockThatSetsItApart) {
-    const auto port = [](const std::string& behind) {
+    const auto port = [](const std::string& before, const std::string& behind) {
         return "void run(sycl::queue& q, float* a, int n) {\n  prepare(a, n);\n  {\n"
-               "    sycl::buffer<float, 1> d_a(a, n);\n"
+               "    sycl::buffer<float, 1> d_a(a, n);\n" +
+               before +
                "    q.submit([&](sycl::handler& h) {\n"
                "      h.parallel_for(n, [=](sycl::item<1> i) {\n        work(a, n, i);\n      });\n    });\n" +
                behind + "  }\n  finish(a, n);\n}\n";
     };
     const std::string sync = "  cudaDeviceSynchronize();\n", wait = "    q.wait();\n";
-    start("k.cu", cuda_run("", ""), "k.cpp", port(wait));
-    expect_ported(cuda_run("", sync + kEnd), port(wait + kEnd));
+    start("k.cu", cuda_run("", ""), "k.cpp", port("", wait));
+    expect_ported(cuda_run(kStart, sync + kEnd), port(kStart, wait + kEnd));
 }
 
 TEST_F(SyncLaunch, AClockBehindWhatThePortWaitsForIsCarried) {
