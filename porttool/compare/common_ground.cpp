@@ -20,10 +20,9 @@
 namespace porttool {
 namespace {
 
-constexpr size_t kMostToLay = 24'000;  // words of all texts
-constexpr size_t kLeastEdited = 6;     // words of an edit that is nobody's slip
-constexpr size_t kMeant = 12;          // words of an edit that is more than a mend
-constexpr size_t kLong = 24;           // words of an edit that is work of its own
+constexpr size_t kLeastEdited = 6;  // words of an edit that is nobody's slip
+constexpr size_t kMeant = 12;       // words of an edit that is more than a mend
+constexpr size_t kLong = 24;        // words of an edit that is work of its own
 
 /// How many names came and went, and how many of them the other side's text has.
 struct EditedNames {
@@ -160,17 +159,26 @@ std::set<std::string> runtimes_of(const Words& text) {
 
 }  // namespace
 
-bool only_concerns_own_runtime(const LoneTexts& texts, const Dialect& dialect) {
+bool touches_what_counts(LaidEdit& laid) {
+    const LoneTexts& texts = laid.texts();
+    return touches_guarded_words(laid.edit(), texts) ||
+           pragmas_of(without_hints(texts.before)) != pragmas_of(without_hints(texts.now));
+}
+
+bool changes_launches(const LoneTexts& texts) {
+    return launches_of(without_hints(texts.before)) != launches_of(without_hints(texts.now));
+}
+
+bool only_concerns_own_runtime(LaidEdit& laid) {
+    const LoneTexts& texts = laid.texts();
     const std::set<std::string> own = runtimes_of(texts.now), others = runtimes_of(texts.other);
     const bool is_foreign = !own.empty() && std::none_of(own.begin(), own.end(), [&](const std::string& runtime) {
         return others.contains(runtime);
     });
     if (!is_foreign) return false;
-    const SideEdit edit(texts.before, texts.now, dialect);
-    if (edit.size < kMeant || touches_guarded_words(edit, texts)) return false;
-    if (pragmas_of(without_hints(texts.before)) != pragmas_of(without_hints(texts.now))) return false;
-    if (launches_of(texts.before) != launches_of(texts.now)) return false;
-    const SideEdit other(texts.other, texts.other, dialect);
+    const SideEdit& edit = laid.edit();
+    if (edit.size < kMeant || touches_what_counts(laid) || changes_launches(texts)) return false;
+    const SideEdit& other = laid.other();
     size_t came = 0, known = 0;
     for (const std::string& word : edit.gained) {
         if (edit.lost.contains(word) || !is_word_token(word)) continue;
@@ -184,23 +192,20 @@ bool only_concerns_own_runtime(const LoneTexts& texts, const Dialect& dialect) {
     return came > 0 && 8 * known <= came && !any_went;
 }
 
-OffGround off_common_ground(const LoneTexts& texts, const Dialect& dialect) {
-    const SideEdit edit(texts.before, texts.now, dialect);
-    if (edit.size < kLeastEdited || is_of_few_words(texts) || touches_guarded_words(edit, texts)) return OffGround::No;
-    const SideEdit other(texts.other, texts.other, dialect);
+OffGround off_common_ground(LaidEdit& sides) {
+    const LoneTexts& texts = sides.texts();
+    const SideEdit& edit = sides.edit();
+    if (edit.size < kLeastEdited || is_of_few_words(texts) || touches_what_counts(sides)) return OffGround::No;
+    const SideEdit& other = sides.other();
     const EditedNames names(edit, other);
     const bool is_foreign = names.are_foreign();
     if (!is_foreign && edit.size < kLong) return OffGround::No;
-    const Words then = without_hints(texts.before), today = without_hints(texts.now);
-    if (pragmas_of(then) != pragmas_of(today)) return OffGround::No;
-    const bool is_plain = launches_of(then) == launches_of(today);
+    const bool is_plain = !changes_launches(texts);
     const OffGround by_names = is_plain && is_foreign && names.are_unheard_of() && !edit.guarded.contains("#")
                                    ? OffGround::Surely
                                    : OffGround::No;
-    if (texts.before.size() + texts.now.size() + texts.other.size() > kMostToLay) return by_names;
-    WordKeys keys(dialect);
-    const AlignedText a = keys.text(edit.before, false), b = keys.text(other.now, false);
-    const SideBySide laid(edit.before, other.now, a, b);
+    if (!sides.can_be_laid()) return by_names;
+    const SideBySide& laid = sides.before();
     constexpr size_t kShort = 200;  // longer texts have some words in common, if they could be laid side by side
     if (laid.covered().empty() && edit.before.size() > kShort) return by_names;
     const bool is_apart = are_apart(edit, other, laid);

@@ -4,8 +4,7 @@
 
 #include <cstdint>
 
-#include "porttool/compare/edits.h"
-#include "porttool/language/dialect.h"
+#include "porttool/compare/laid_edit.h"
 
 namespace porttool {
 
@@ -24,13 +23,19 @@ namespace porttool {
 ///     or now      q.wait(); y[i] = k * x[i]; if (y[i] > lim) { y[i] = lim; }                      on it
 ///     other       y[i] = k * x[i]; z[i] = y[i] + lim;                                             source
 enum class OffGround : uint8_t { No, Hardly, Perhaps, Surely };
-OffGround off_common_ground(const LoneTexts& texts, const Dialect& dialect);
+OffGround off_common_ground(LaidEdit& laid);
+
+/// True if an edit touches words that are never silent, other than branches for the compiler.
+bool touches_what_counts(LaidEdit& laid);
+
+/// True if an edit changes how kernels are launched, and with what.
+bool changes_launches(const LoneTexts& texts);
 
 /// True if the edited side drives a runtime that the other does not call, and the other has no name or number that went
 /// for good, and hardly any name that came: of a dozen words or more that are no print, check or timing.
 ///
 ///     - err = clEnqueueNDRangeKernel(q, k, 1, NULL, all, some, 0, 0, 0)            port; the source launches in CUDA
 ///     + err = clEnqueueNDRangeKernel(q, k, 1, NULL, all, some, 0, 0, &events[2])
-bool only_concerns_own_runtime(const LoneTexts& texts, const Dialect& dialect);
+bool only_concerns_own_runtime(LaidEdit& laid);
 
 }  // namespace porttool

@@ -46,7 +46,13 @@ struct Distance {
     Distance(const std::vector<std::string>& source, const std::vector<std::string>& target, const Dialect& dialect) {
         WordKeys keys(dialect);
         const AlignedText a = keys.text(source, false), b = keys.text(target, false);
-        const SideBySide laid(source, target, a, b);
+        read(SideBySide(source, target, a, b), dialect);
+    }
+
+    Distance(const SideBySide& laid, const Dialect& dialect) { read(laid, dialect); }
+
+private:
+    void read(const SideBySide& laid, const Dialect& dialect) {
         unlike = laid.unlike();
         covered = laid.covered();
         misplaced = laid.misplaced();
@@ -203,19 +209,20 @@ bool are_twins(const Words& a, const Words& b, const Dialect& dialect) {
     return kTwins * Distance(here.now, there.now, dialect).unlike < words_of(here.has) + words_of(there.has);
 }
 
-Nearing draws_nearer(const LoneTexts& texts, const Dialect& dialect) {
-    if (texts.before.size() + texts.now.size() + texts.other.size() > kMostBeside) return Nearing::No;
+Nearing draws_nearer(LaidEdit& laid) {
+    if (!laid.can_be_laid()) return Nearing::No;
+    const Dialect& dialect = laid.dialect();
     constexpr size_t kLeast = 4, kLeastTaken = 10;  // words of an edit, and of one that hardly brings any
     constexpr size_t kBrief = 2;                    // words that are no slip, if all that was edited has its like now
-    const SideEdit edit(texts.before, texts.now, dialect);
+    const SideEdit& edit = laid.edit();
     const bool takes = edit.gained_words < kLeast;
     const bool is_brief = takes && edit.size < kLeastTaken && edit.gained_words >= kBrief;
     if ((edit.size < (takes ? kLeastTaken : kLeast) && !is_brief) || !edit.guarded.empty()) return Nearing::No;
-    const SideEdit other(texts.other, texts.other, dialect);
+    const SideEdit& other = laid.other();
     if (!may_arrive(edit, other)) return Nearing::No;
     const size_t astray = names_astray(edit, other);
     if (takes && astray > 0) return Nearing::No;
-    const Distance then(edit.before, other.now, dialect), today(edit.now, other.now, dialect);
+    const Distance then(laid.before(), dialect), today(edit.now, other.now, dialect);
     const size_t nearer = then.unlike - std::min(then.unlike, today.unlike);
     const size_t thirds = is_brief ? 3 : astray == 0 && names_arrive(edit, other) ? 1 : 2;  // of what was edited
     if (3 * nearer < thirds * edit.size) return Nearing::No;
@@ -223,7 +230,7 @@ Nearing draws_nearer(const LoneTexts& texts, const Dialect& dialect) {
         std::includes(today.covered.begin(), today.covered.end(), then.covered.begin(), then.covered.end());
     if ((!keeps_what_was_alike && astray > 0) || !signs_arrive(edit, other, {then, today})) return Nearing::No;
     const bool in_order =
-        !rewrites_in_another_order(edit, today) && grouping_of_edit(texts, dialect) == Grouping::Alike;
+        !rewrites_in_another_order(edit, today) && grouping_of_edit(laid.texts(), dialect) == Grouping::Alike;
     return in_order ? Nearing::Yes : Nearing::InAnotherOrder;
 }
 

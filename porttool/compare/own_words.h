@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "porttool/compare/edits.h"
+#include "porttool/compare/laid_edit.h"
 #include "porttool/language/dialect.h"
 
 namespace porttool {
@@ -41,6 +42,6 @@ enum class Nearing : uint8_t {
 ///     before      y = x[i];                                                        port
 ///     now         if (lim > 0) { const float c = damp(x, lim, 0.5f); y = c; }
 ///     other       if (lim > 0) { const float d = damp(x, lim, 0.5f); y = d; }      source
-Nearing draws_nearer(const LoneTexts& texts, const Dialect& dialect);
+Nearing draws_nearer(LaidEdit& laid);
 
 }  // namespace porttool

@@ -129,7 +129,7 @@ const std::string& named_briefly(const std::string& id, const Finding& finding) 
 std::string what_others_are(const Finding& first) {
     switch (first.rule) {
         case Rule::Unpaired:
-            return "more new units of that file look like one of the other side";
+            return "more new units look like one of the other side";
         case Rule::Unported:
             return "of its methods have none";
         case Rule::Orphaned:
@@ -334,12 +334,19 @@ void fold_findings(FindingList& findings, const MapFile& map) {
             loud.push_back(&finding);
     std::map<std::string, std::vector<Finding*>> causes = by_new_class(loud);
     constexpr size_t kFamily = 3;  // units that are gone, whose counterparts have one name
+    constexpr size_t kMove = 3;    // files with new units: one piece of work, and one walk through the map
     std::map<std::string, size_t> gone;
-    for (const Finding* finding : loud)
+    std::map<std::string, std::set<std::string>> new_in;  // files, by target set
+    for (const Finding* finding : loud) {
         if (is_of_gone_unit(*finding)) ++gone[family_of(*finding)];
+        if (finding->rule == Rule::Unpaired) new_in[finding->target_set].insert(split_id(subject_of(*finding)).first);
+    }
     for (Finding* finding : loud) {
         const bool of_family = is_of_gone_unit(*finding) && gone[family_of(*finding)] >= kFamily;
-        const std::string cause = of_family ? family_of(*finding) : cause_of(*finding);
+        const bool of_move = finding->rule == Rule::Unpaired && new_in[finding->target_set].size() >= kMove;
+        const std::string cause = of_family ? family_of(*finding)
+                                  : of_move ? "new units\n" + finding->target_set
+                                            : cause_of(*finding);
         if (!cause.empty()) causes[cause].push_back(finding);
     }
     MacroGroups macros;

@@ -11,11 +11,13 @@
 #include "porttool/compare/declared_otherwise.h"
 #include "porttool/compare/grouping.h"
 #include "porttool/compare/guarded_words.h"
+#include "porttool/compare/laid_edit.h"
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/lone_edit.h"
 #include "porttool/compare/member_elements.h"
 #include "porttool/compare/named_parts.h"
 #include "porttool/compare/other_rounding.h"
+#include "porttool/compare/owed_edit.h"
 #include "porttool/compare/own_fields.h"
 #include "porttool/compare/own_switches.h"
 #include "porttool/compare/own_words.h"
@@ -461,6 +463,7 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
     if (finding.level <= Level::Note || (!is_code && !structs)) return;
     const LoneTexts texts{without_prelude(before.words()), without_prelude(now.text.words()),
                           without_prelude(there.text.words())};
+    LaidEdit laid(texts, dialect_);
     if (const auto names = only_qualified_names(texts.before, texts.now)) {
         if (std::all_of(names->begin(), names->end(),
                         [&](const RescopedName& name) { return own_names_.is_one_thing(name, now, side); }))
@@ -476,6 +479,8 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
             return weaken(pair, finding, Level::Note, "it only derives from what is not of the project, or no longer");
         if (only_changes_fields_of_its_own(texts))
             weaken(pair, finding, Level::Note, "the two structs never had most of their fields in common");
+        else if (how_owed(laid) != Owed::Likely)
+            weaken(pair, finding, Level::Warning, "little of what it touches has its like on the other side");
         return;
     }
     if (only_follows_runtime(texts.before, texts.now))
@@ -509,7 +514,7 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
     if (only_tends_foreign_runtime(texts.before, texts.now, texts.other))
         return weaken(pair, finding, Level::Note,
                       "it only keeps house with a runtime that " + there_is + " does not call");
-    if (is_own_matter && only_concerns_own_runtime(texts, dialect_))
+    if (is_own_matter && only_concerns_own_runtime(laid))
         return weaken(pair, finding, Level::Note,
                       "it only changes how it drives a runtime that the source does not call");
     if (only_adds_labels_of_other(texts.before, texts.now, texts.other))
@@ -522,18 +527,33 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
     }
     if (const std::string beside = same_edit_beside(facts_, watched_, pair, side, before, dialect_); !beside.empty())
         return weaken(pair, finding, Level::Note, "the same edit came to " + beside + ", which no pair watches");
-    if (const Nearing nearing = draws_nearer(texts, dialect_); nearing != Nearing::No) {
+    if (const Nearing nearing = draws_nearer(laid); nearing != Nearing::No) {
         const bool in_order = nearing == Nearing::Yes;
         const bool is_slip = only_takes(texts.before, texts.now) && words_edited(texts.before, texts.now) < kNoSlip;
         return weaken(pair, finding, in_order && !is_slip ? Level::Note : Level::Warning,
                       there_is + (in_order ? " has most of it" : " has its words, some in other places"));
     }
-    const OffGround off = off_common_ground(texts, dialect_);
-    if (off == OffGround::No) return;
-    const bool is_note = off != OffGround::Hardly &&
-                         (off == OffGround::Surely || is_own_matter || only_tends_runtime(texts.before, texts.now));
-    pair.is_of_own_part = is_note;
-    weaken(pair, finding, is_note ? Level::Note : Level::Warning, there_is + " has nothing like what it changes");
+    weigh_ground(pair, side, laid, finding);
+}
+
+/// What an edit has to do with the other side's text, where nothing else tells.
+void PairJudge::weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, Finding& finding) const {
+    const std::string there = side == Side::Source ? "the port" : "the source";
+    const std::string nothing = there + " has nothing like what it changes";
+    const OffGround off = off_common_ground(laid);
+    if (off == OffGround::Hardly) return weaken(pair, finding, Level::Warning, nothing);
+    const bool is_own_matter = !is_contract(facts_.map.reference, side);
+    const bool is_its_own =
+        off == OffGround::Surely ||
+        (off != OffGround::No && (is_own_matter || only_tends_runtime(laid.texts().before, laid.texts().now)));
+    const Owed owed = is_its_own ? Owed::Hardly : how_owed(laid);
+    pair.is_of_own_part = owed == Owed::Hardly;
+    if (off != OffGround::No)
+        weaken(pair, finding, owed == Owed::Hardly ? Level::Note : Level::Warning, nothing);
+    else if (owed == Owed::Hardly)
+        weaken(pair, finding, Level::Note, "hardly anything that it touches has its like in " + there);
+    else if (owed == Owed::Perhaps)
+        weaken(pair, finding, Level::Warning, "little of what it touches has its like in " + there);
 }
 
 void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "porttool/compare/compare_pair.h"
+#include "porttool/compare/laid_edit.h"
 #include "porttool/compare/respelled_calls.h"
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/judge.h"
@@ -59,6 +60,7 @@ private:
     bool has_doubtful_switch(const PairTexts& texts, const JudgedPair& pair) const;
     bool call_the_same(const std::vector<RespelledCall>& calls, Side side, const Words& there) const;
     void weigh_edit(JudgedPair& pair, Side side, const NormalText& before, Finding& finding) const;
+    void weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, Finding& finding) const;
 
     const Case& facts_;
     const BySide<RenamedNames>& renamed_;

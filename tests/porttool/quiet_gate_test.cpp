@@ -824,6 +824,11 @@ TEST(QuietGate, NewUnitsOfOneFileAreToldOnce) {
     EXPECT_EQ(loud(before, {{"s/k.cu", old + body("second", "2.5f")}, {"s/b.cu", body("third", "3.5f")}},
                    {"s/k.cu:first=t/k.cpp:first"}),
               (Loud{"unpaired s/b.cu:third", "unpaired s/k.cu:second"}));
+    const std::string four = body("fourth", "4.5f");
+    EXPECT_EQ(loud({{"s/k.cu", old}, {"t/k.cpp", old + two + four}},
+                   {{"s/k.cu", old + body("second", "2.5f")}, {"s/b.cu", body("third", "3.5f")}, {"s/c.cu", four}},
+                   {"s/k.cu:first=t/k.cpp:first"}),
+              Loud{"unpaired s/b.cu:third"});
 }
 
 TEST(QuietGate, APortWithAnotherSourceIsNoOrphan) {
