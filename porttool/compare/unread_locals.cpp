@@ -119,6 +119,7 @@ private:
         size_t i = first + (text_[first] == "const" ? 1 : 0);
         const size_t type = i;
         while (i < text_.size() && (is_type_word(text_[i]) || text_[i] == "auto")) ++i;
+        i = std::max(i, after_pointer_type(type));
         if (i == type) return false;
         std::vector<Piece> found;
         for (size_t from = i; i < text_.size(); ++i) {
@@ -146,6 +147,16 @@ private:
             declared.insert(text_[piece.at]);
         }
         return true;
+    }
+
+    /// Behind `lib :: Timers * const` where a name with a value follows, since no pointer does anything when it goes;
+    /// else `first`.
+    size_t after_pointer_type(size_t first) const {
+        size_t i = first;
+        while (i + 2 < text_.size() && is_word_token(text_[i]) && text_[i + 1] == "::") i += 2;
+        if (i + 1 >= text_.size() || !is_word_token(text_[i]) || text_[++i] != "*") return first;
+        while (i < text_.size() && is_one_of(text_[i], {"*", "const", "restrict", "__restrict__", "__restrict"})) ++i;
+        return i + 1 < text_.size() && is_word_token(text_[i]) && text_[i + 1] == "=" ? i : first;
     }
 
     /// `a = b * 2 ;`

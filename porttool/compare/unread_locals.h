@@ -7,8 +7,8 @@
 
 namespace porttool {
 
-/// True if all that an edit did was to bring, or take, numbers and vectors of the function's own that nothing reads,
-/// with what they are given. That calls nothing but mathematics and what containers say of their size.
+/// True if all that an edit did was to bring, or take, numbers, vectors and pointers of the function's own that nothing
+/// reads, with what they are given. That calls nothing but mathematics and what containers say of their size.
 ///
 ///     int n = list.size(); float s; s = k; y[i] = k;        y[i] = k;
 bool only_concerns_unread_locals(const Words& before, const Words& now, const Dialect& dialect);

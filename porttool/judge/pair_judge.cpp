@@ -472,8 +472,8 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
     }
     if (only_respells_members(texts.before, texts.now))
         return weaken(pair, finding, Level::Note, "it only reaches members through a pointer, or no longer does");
-    if (swept_names_.are_all(side, texts.before, texts.now))
-        return weaken(pair, finding, Level::Note, "it only gives a type its new name, as all of that side does");
+    if (const std::string swept = swept_names_.say(side, texts.before, texts.now); !swept.empty())
+        return weaken(pair, finding, Level::Note, swept);
     if (structs) {
         if (const auto base = only_changes_base(texts.before, texts.now); !base.empty() && !own_names_.of(side, base))
             return weaken(pair, finding, Level::Note, "it only derives from what is not of the project, or no longer");
@@ -615,8 +615,11 @@ void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& be
         else
             weaken(pair, finding, level, why);
     };
-    if (only_adds_labels_of_other(then.source, now.source, now.target) &&
-        only_adds_labels_of_other(then.target, now.target, now.source))
+    if (!swept_names_.say(Side::Source, then.source, now.source).empty() &&
+        !swept_names_.say(Side::Target, then.target, now.target).empty())
+        weigh(Level::Note, "both only give things new names, as all of both sides does");
+    else if (only_adds_labels_of_other(then.source, now.source, now.target) &&
+             only_adds_labels_of_other(then.target, now.target, now.source))
         weigh(Level::Note, "the same labels joined an arm on both sides");
     else if (is_declared_alike && (edits_spot_by_spot(texts, dialect_) || edits_spot_by_spot(learned, dialect_)))
         weigh(Level::Note, "word for word the same came and went, at the same places");

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "porttool/language/words.h"
 #include "porttool/scan/declared_words.h"
 #include "porttool/scan/scan.h"
 
@@ -63,17 +64,33 @@ std::unordered_map<std::string_view, Print> recorded_texts(const Case& facts, Si
 
 }  // namespace
 
-bool SweptNames::are_all(Side side, const Words& before, const Words& now) {
+std::string SweptNames::say(Side side, const Words& before, const Words& now) {
     const auto names = exchanged_names(before, now);
-    return facts_.files && !names.empty() &&
-           std::all_of(names.begin(), names.end(), [&](const Name& name) { return is_swept(side, name); });
+    if (!facts_.files || names.empty()) return {};
+    if (std::all_of(names.begin(), names.end(), [&](const Name& name) { return is_swept_type(side, name); }))
+        return "it only gives a type its new name, as all of that side does";
+    if (std::all_of(names.begin(), names.end(), [&](const Name& name) { return is_swept_on_both(name); }))
+        return "it only gives things the new names that both sides gave them throughout";
+    return {};
 }
 
-bool SweptNames::is_swept(Side side, const Name& name) {
-    if (times_alone(side, name) < kSeveral) return false;
-    if (known_[side].size() >= kMostNames && !known_[side].contains(name)) return false;
-    const auto [known, is_first] = known_[side].try_emplace(name, false);
+bool SweptNames::is_swept_type(Side side, const Name& name) {
+    if (times(side, name).alone < kSeveral) return false;
+    if (types_[side].size() >= kMostNames && !types_[side].contains(name)) return false;
+    const auto [known, is_first] = types_[side].try_emplace(name, false);
     if (is_first) known->second = is_gone(side, name.first) && is_type(side, name.second) && is_new(side, name.second);
+    return known->second;
+}
+
+bool SweptNames::is_swept_on_both(const Name& name) {
+    const size_t here = times(Side::Source, name).in_all, there = times(Side::Target, name).in_all;
+    if (here == 0 || there == 0 || here + there <= kSeveral) return false;
+    if (roles_of(name.first) != 0 || roles_of(name.second) != 0) return false;
+    if (of_both_.size() >= kMostNames && !of_both_.contains(name)) return false;
+    const auto [known, is_first] = of_both_.try_emplace(name, false);
+    if (is_first)
+        known->second = std::all_of(std::begin(kBothSides), std::end(kBothSides),
+                                    [&](Side side) { return is_gone(side, name.first) && is_new(side, name.second); });
     return known->second;
 }
 
@@ -111,16 +128,16 @@ bool SweptNames::is_new(Side side, const std::string& name) const {
     return true;
 }
 
-size_t SweptNames::times_alone(Side side, const Name& name) {
-    const auto& all = lone_renamings(side);
-    const auto found = all.find(name.first + " " + name.second);
-    return found == all.end() ? 0 : found->second;
+SweptNames::Times SweptNames::times(Side side, const Name& name) {
+    const auto& all = exchanges(side);
+    const auto found = all.find(name);
+    return found == all.end() ? Times() : found->second;
 }
 
-/// In how many watched units one name took another's place, and nothing else was edited.
-const std::map<std::string, size_t>& SweptNames::lone_renamings(Side side) {
-    if (lone_[side]) return *lone_[side];
-    std::map<std::string, size_t>& out = lone_[side].emplace();
+/// In how many watched units one name took another's place, where nothing else but the like was edited.
+const std::map<SweptNames::Name, SweptNames::Times>& SweptNames::exchanges(Side side) {
+    if (exchanges_[side]) return *exchanges_[side];
+    std::map<Name, Times>& out = exchanges_[side].emplace();
     std::set<std::string_view> seen;
     for (const LockedPair& line : facts_.lock.pairs) {
         const std::string& id = side == Side::Source ? line.source : line.target;
@@ -130,7 +147,10 @@ const std::map<std::string, size_t>& SweptNames::lone_renamings(Side side) {
             continue;
         const NormalText before = facts_.base_text(then);
         const auto names = exchanged_names(before.words(), unit->second.text.words());
-        if (names.size() == 1) ++out[names.begin()->first + " " + names.begin()->second];
+        for (const Name& name : names) {
+            ++out[name].in_all;
+            out[name].alone += names.size() == 1 ? 1 : 0;
+        }
     }
     return out;
 }

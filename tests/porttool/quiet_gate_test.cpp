@@ -534,6 +534,35 @@ TEST(QuietGate, ATypeThatGotAnotherNameThroughout) {
     EXPECT_GT(after(renamed(names + f, "RgbaF") + replaced(renamed(g, "RgbaF"), "- y", "+ y") + h), 0u);
 }
 
+TEST(QuietGate, ANameThatBothSidesChangedThroughout) {
+    const std::string source =
+                          "float f(L p, int i) { return p.cj4[i] * 2.0f; }\n"
+                          "float g(L p, int i) { return p.cj4[i] + first(p, i); }\n"
+                          "float h(L p, int i) { return last(p, i) - 1.0f; }\n",
+                      port =
+                          "float f(const L& p, int i) { return p.cj4[i] * 2.0f; }\n"
+                          "float g(const L& p, int i) { return at(p, i) + first(p, i); }\n"
+                          "float h(const L& p, int i) { const float* row = p.cj4; return last(row, i) - 1.0f; }\n";
+    const auto after = [&](const std::string& now_source, const std::string& now_port, const std::string& more = "") {
+        return loud({{"s/k.cl", source}, {"t/k.cpp", port + more}},
+                    {{"s/k.cl", now_source}, {"t/k.cpp", now_port + more}},
+                    {"s/k.cl:f=t/k.cpp:f", "s/k.cl:g=t/k.cpp:g", "s/k.cl:h=t/k.cpp:h"});
+    };
+    const auto renamed = [](std::string text, const std::string& to) {
+        for (size_t at = text.find("cj4"); at != std::string::npos; at = text.find("cj4", at)) text.replace(at, 3, to);
+        return text;
+    };
+    const std::string sources = renamed(source, "packed"), ports = renamed(port, "packed");
+    EXPECT_EQ(after(sources, ports), Loud{});
+    // One side alone; another name; a name that was there; the old one still is; more was edited.
+    EXPECT_EQ(after(sources, port).size(), 2u);
+    EXPECT_EQ(after(sources, renamed(port, "rows")).size(), 3u);
+    EXPECT_EQ(after(renamed(source, "last"), renamed(port, "last")).size(), 2u);
+    EXPECT_EQ(after(sources, ports, "float own(const L& p) { return p.cj4[0]; }\n").size(), 2u);
+    EXPECT_EQ(after(replaced(sources, "+ first", "- first"), ports), Loud{"source-changed s/k.cl:g"});
+    EXPECT_EQ(after(renamed(source, "double"), renamed(port, "double")).size(), 2u) << "a word of the language";
+}
+
 TEST(QuietGate, WaitingMoreOftenForTheOwnDevice) {
     const std::string source =
                           "void f(int* n, const int* p, int k) { cudaMemcpy(n, p, 4, cudaMemcpyDeviceToHost); "
@@ -1196,6 +1225,11 @@ TEST(QuietGate, NamesThatNothingReads) {
     EXPECT_EQ(level("  spare = drop;\n", ""), "note");
     EXPECT_EQ(level("const int all = rows.size();", "const int all = 2 * n;"), "note");
     EXPECT_EQ(level("float gain, drop, spare;", "float gain, drop, spare, more;"), "note");
+    EXPECT_EQ(level("  spare = drop;\n", "  spare = drop;\n  const lib::Table* const all_of = rows.all;\n"), "note");
+    EXPECT_EQ(level("  spare = drop;\n", "  spare = drop;\n  Table* all_of = rows.take();\n"), "error");
+    EXPECT_EQ(level("  spare = drop;\n", "  spare = drop;\n  Guard guard = rows.all;\n"), "error")
+        << "which may do something when it goes";
+    EXPECT_EQ(level("  spare = drop;\n", "  Table* all_of = rows.all;\n  all_of->spare = drop;\n"), "error");
     EXPECT_EQ(level("  spare = drop;\n", "  drop = spare;\n"), "error") << "what nobody read is read";
     EXPECT_EQ(level("  drop = gain * 2.0f;\n", "  spare = gain * 2.0f;\n"), "error");
     EXPECT_EQ(level("gain + drop", "spare + drop"), "error");
