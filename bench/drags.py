@@ -8,8 +8,8 @@
 Opens the window under Xvfb, drags with the left button by xdotool, --drags times: --single drags are one move each, after
 a second without any, the others are --seconds of moves, --rate a second. A camera.json beside a scene is used. Prints what
 the log's `answered_ms` are (--log; from the first input that no pixels have answered yet): median, nine in ten, the slowest,
-those of single moves apart, and how many pictures a second a moving hand was shown. Exits with 1 where the median of single
-moves, or of moving hands, is 100 ms or more. On a machine
+those of single moves apart, and how many pictures a second a moving hand was shown. Exits with 1 where nine in ten of single
+moves, or of moving hands, are not answered within 100 ms. On a machine
 that has other work, run it in a session of its own that comes first (as root; all else then waits):
 
     setsid -w sh -c 'echo -20 > /proc/self/autogroup; exec bench/drags.py build/release/bin/pathtracer --scene still_life'
@@ -125,7 +125,7 @@ def main():
                 server.wait()
         row(name, "single", single)
         row(name, "moving", moving, f"{len(moving) / took:.0f} a second")
-        missed = missed or max(statistics.median(single), statistics.median(moving)) >= LIMIT_MS
+        missed = missed or any(sorted(all_)[len(all_) * 9 // 10] >= LIMIT_MS for all_ in (single, moving))
     return 1 if missed else 0
 
 
