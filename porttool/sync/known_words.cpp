@@ -101,6 +101,11 @@ bool is_of_threads(std::string_view word) {
            word.starts_with("get_group_") || word.starts_with("get_num_") || word.starts_with("get_sub_group");
 }
 
+/// What CUDA has of the threads of a warp, by their mask; HIP has most of it in no release or in late ones.
+bool is_of_warps(std::string_view word) {
+    return word == "__syncwarp" || word == "__activemask" || (word.starts_with("__") && word.ends_with("_sync"));
+}
+
 bool is_capital(std::string_view word) {
     return std::none_of(word.begin(), word.end(), [](char c) { return c >= 'a' && c <= 'z'; });
 }
@@ -357,7 +362,9 @@ bool KnownWords::names_one_side(std::string_view literal) const {
     };
     constexpr size_t kShortest = 3;
     for (const std::string& word : small_words_of(literal)) {
-        const bool is_platform = kPlatforms.find(" " + word + " ") != std::string_view::npos || is_of_library(word);
+        const bool is_function = word.starts_with("cuda") && !has(there, "cuda");  // `cudaHostAlloc`
+        const bool is_platform =
+            kPlatforms.find(" " + word + " ") != std::string_view::npos || is_of_library(word) || is_function;
         if (word.size() >= kShortest && !has(there, word) && (is_platform || has(here, word))) return true;
     }
     return false;
@@ -508,6 +515,7 @@ bool KnownWords::anywhere(std::string_view word) const {
     const Language here = from_.edited.language, there = to_.edited.language;
     if (dialect_.meaning(word) != nullptr && !is_type_word(word) && scopes_builtins()) return false;
     if (const std::string_view runtime = runtime_of(word); !runtime.empty() && !speaks(runtime)) return false;
+    if (is_of_warps(word) && speaks("hip") && !speaks("cuda")) return false;
     if (here == there || is_shader_function(word, there)) return true;
     // What CUDA has besides its run time HIP has under the same name.
     const auto is_cuda_like = [](Language language) { return language == Language::Cuda || language == Language::Hip; };

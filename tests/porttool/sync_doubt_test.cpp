@@ -385,6 +385,26 @@ TEST_F(SyncDoubt, HipSaysTheSameOfItsThreads) {
     expect_ported(sum("warpSize"), sum("warpSize"));
 }
 
+TEST_F(SyncDoubt, WhatCudaHasOfWarpsIsNotHips) {
+    const auto sum = [](const std::string& more) {
+        return "__global__ void sum(float* a, int n) {\n  float v = a[threadIdx.x];\n" + more + "  a[n] = v;\n}\n";
+    };
+    const auto host = [](const std::string& runtime) {
+        return "void host(float* a) {\n  " + runtime + "Free(a);\n}\n";
+    };
+    start("k.cu", host("cuda") + sum(""), "k.hip", host("hip") + sum(""));
+    expect_left(host("cuda") + sum("  __syncwarp();\n"), "__syncwarp", 5);
+    expect_ported(host("cuda") + sum("  __syncthreads();\n"), host("hip") + sum("  __syncthreads();\n"));
+}
+
+TEST_F(SyncDoubt, ATextThatNamesAFunctionOfTheOtherRunTimeIsLeft) {
+    const auto host = [](const std::string& runtime, const std::string& more) {
+        return "void host(float* a) {\n  " + runtime + "Free(a);\n" + more + "  last(a);\n}\n";
+    };
+    start("k.cu", host("cuda", ""), "k.hip", host("hip", ""));
+    expect_left(host("cuda", "  printf(\"cudaHostAlloc: %d\\n\", 1);\n"), "cudaHostAlloc", 2);
+}
+
 class SyncOfAMacro : public SyncedRepository {
 protected:
     void SetUp() override {
