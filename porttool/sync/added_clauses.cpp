@@ -570,6 +570,27 @@ private:
         return times % 2 == 0;
     }
 
+    /// True if what a new clause declares is used in the block that a clause of the port begins in, as far as its uses
+    /// have a place.
+    bool is_used_within(const ClauseAdded& clause, size_t right) const {
+        const size_t head = target(right).inside;
+        if (head == Clause::kNone || stands_for_something(head)) return true;
+        const auto equals = std::find_if(clause.words.begin(), clause.words.end(),
+                                         [](const CarriedWord& word) { return word.text == "="; });
+        if (equals == clause.words.begin() || equals == clause.words.end()) return false;
+        const std::string& name = std::prev(equals)->text;
+        size_t there = kNothing;  // what stands for the clause before a use
+        for (size_t is = clause.source + 1; is < origin_.size(); ++is) {
+            if (origin_[is] != kNothing)
+                if (const size_t last = target_before(origin_[is]); last != kNothing) there = last;
+            const bool uses = std::find(texts_.now.words.begin() + static_cast<std::ptrdiff_t>(now(is).first),
+                                        texts_.now.words.begin() + static_cast<std::ptrdiff_t>(now(is).end),
+                                        name) != texts_.now.words.begin() + static_cast<std::ptrdiff_t>(now(is).end);
+            if (uses && (there == kNothing || there <= head || there >= target(head).partner)) return false;
+        }
+        return true;
+    }
+
     bool starts_paragraph(size_t is) const {
         return is < texts_.now.clauses.size() && texts_.paragraphs.contains(now(is).first);
     }
@@ -611,8 +632,10 @@ private:
         const bool only_clock = std::all_of(clauses.begin(), clauses.end(), [&](const ClauseAdded& clause) {
             return asks_clock(clause) || waits(clause.source);
         });
-        const bool starts_clock = was_before != kNothing && asks_clock(clauses.back()) &&
-                                  (before(was_before).opens || (only_clock && is_asked_first(clauses.back().source)));
+        const bool starts_clock =
+            was_before != kNothing && asks_clock(clauses.back()) &&
+            (before(was_before).opens || (only_clock && beside_right && is_asked_first(clauses.back().source) &&
+                                          is_used_within(clauses.back(), right)));
         // What the port prepares a launch by comes before what the source does right before it.
         const bool goes_right = run.beside == Beside::Right ||
                                 (run.beside != Beside::Left && (goes_around || begins_paragraph ||

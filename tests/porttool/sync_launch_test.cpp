@@ -388,7 +388,24 @@ TEST_F(SyncLaunch, AClockThatBeginsATimeComesRightBeforeWhatTakesIt) {
                begin + "  for (int i = 0; i < n; ++i)\n    work(a, i);\n" + end + "  }\n  finish(a, n);\n}\n";
     };
     start("k.cu", host("", ""), "k.cpp", port("", ""));
-    expect_ported(host(kStart, kEnd), port(kStart, kEnd));
+    const std::string told = "  printf(\"%f\\n\", spent(start, end));\n";
+    expect_ported(host(kStart, kEnd + told), port(kStart, kEnd + told));
+}
+
+TEST_F(SyncLaunch, AClockThatIsAskedAgainBehindTheBlockBeginsBeforeIt) {
+    const auto host = [](const std::string& begin, const std::string& end) {
+        return "void run(float* a, int n) {\n  prepare(a, n);\n" + begin +
+               "  for (int i = 0; i < n; ++i)\n    work(a, i);\n  give(a, n);\n" + end + "  finish(a, n);\n}\n";
+    };
+    const auto port = [](const std::string& begin, const std::string& end) {
+        return "void run(float* a, int n) {\n  prepare(a, n);\n" + begin +
+               "  #pragma omp target data map(tofrom: a[0:n])\n  {\n"
+               "  for (int i = 0; i < n; ++i)\n    work(a, i);\n  }\n  give(a, n);\n" +
+               end + "  finish(a, n);\n}\n";
+    };
+    start("k.cu", host("", ""), "k.cpp", port("", ""));
+    const std::string told = "  printf(\"%f\\n\", spent(start, end));\n";
+    expect_ported(host(kStart, kEnd + told), port(kStart, kEnd + told));
 }
 
 TEST_F(SyncLaunch, AClockBehindACallThatThePortOnlyStartsWaitsForIt) {
