@@ -417,10 +417,20 @@ std::string cpp_text(const Piece& piece, const CppManner& manner) {
     return out;
 }
 
+bool is_conditional(const Definition& function) { return !conditions_of_head(function).empty(); }
+
 std::string prototype(const Definition& function, const CppManner& manner) {
     const Unit& unit = *function.unit;
     const LexedText& lexed = function.file->lexed;
     if (unit.body.empty() || unit.parameters.first == 0 || !function.owner.empty()) return {};
+    if (has_two_heads(lexed, unit)) {
+        Writer writer(*function.file, manner);
+        const HeadOfFunction head = head_of(function);
+        writer.tokens({head.first, head.open}, {});
+        writer.out += "(";
+        writer.parameters(unit);
+        return writer.out + ");\n";
+    }
     for (uint32_t i = function.tokens.first; i < unit.body.first; ++i) {
         const std::string_view word = lexed.view(i);
         if (word == "template" || word == "=" || word == "operator" || (lexed.tokens[i].flags & kInDirective) != 0)

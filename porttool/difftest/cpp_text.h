@@ -33,6 +33,9 @@ std::string cpp_text(const Piece& piece, const CppManner& manner);
 /// Some text that counts where a definition does: between the lines of the preprocessor that it stands under.
 std::string under_conditions(const Definition& one, std::string text, const CppManner& manner);
 
+/// True for a function that conditions of the preprocessor decide about; not for one of whose two heads they take one.
+bool is_conditional(const Definition& function);
+
 /// The declaration of a function; "" where it has one that cannot stand apart: a template, or with a default.
 std::string prototype(const Definition& function, const CppManner& manner);
 

@@ -57,7 +57,8 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
     std::set<std::string> used;
     std::map<std::string, std::vector<const Definition*>> later;  // functions that are not written yet
     for (const Piece& piece : subject.closure.pieces)
-        if (piece.definition->kind == Definition::Kind::Function && piece.definition->conditions.empty())
+        if (piece.definition->kind == Definition::Kind::Function && piece.definition->unit != nullptr &&
+            !is_conditional(*piece.definition))
             later[piece.definition->name].push_back(piece.definition);
     for (const Piece& piece : subject.closure.pieces) {
         const Definition& one = *piece.definition;

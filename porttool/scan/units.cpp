@@ -165,8 +165,9 @@ private:
             if (word(at) != "(" || structure_.match[at] == kNoMatch) continue;
             const uint32_t after = structure_.match[at] + 1;
             if (at == start_ || word_is(word(at - 1), kTakesArguments)) return false;
-            return after + 1 < at_ && lexed_.tokens[token(after)].kind == TokenKind::Identifier &&
-                   !word_is(word(after), kTakesArguments) && word(after + 1) != "(";
+            const bool begins_type = word(after) == "register" || !word_is(word(after), kTakesArguments);
+            return after + 1 < at_ && lexed_.tokens[token(after)].kind == TokenKind::Identifier && begins_type &&
+                   word(after + 1) != "(";
         }
         return false;
     }

@@ -609,6 +609,7 @@ pairing *v;
 float twofold(pairing *v)
 #endif
 { return v->first * FACTOR + v->second; }
+int shifted(a, b) register int a; register int b; { return a << 1 | b; }
 int counts(int new) { return new + counted; }
 int delta(int new, int class) { return new - class * 2; }
 float imaginary(float I) { return I * 2.0f; }
@@ -625,14 +626,27 @@ void reset(item *i, item *other) { i->next = other->next; i->weight = 0; }
 float block_sum(const void *data, int n) { const pairing *p = (const pairing *)data; return p[n].first + p[n].second; }
 int bytes(const unsigned char *data, int n) { return data[n] * 3; }
 int logged(FILE *f, int n) { fprintf(f, "%d", n); return n; }
+#ifndef ANSI_C
+int first_step();
+#else
+int first_step(int x);
+#endif
+static int (*steps[2])(int) = {first_step, first_step};
+#ifndef ANSI_C
+int first_step(x) int x;
+#else
+int first_step(int x)
+#endif
+{ return x > 0 && x < 9 ? steps[1](x + 1) : x; }
 int again(int n) { return n < 1 || n > 9 ? 1 : n * again(n - 1); }
 )";
 
 TEST_F(Difftest, RunsOldCAndFollowsPointersOfStructs) {
     write("a/units.h", "typedef struct { float first, second; } pairing;\n#define FACTOR 2\n");
     write("b/units.h", "typedef struct { float first, second; } pairing;\n#define FACTOR 2\n");
-    const std::vector<std::string> same = {"squared",  "mixed",     "twofold", "delta", "imaginary", "entry", "scaled",
-                                           "heaviest", "block_sum", "bytes",   "reset", "again",     "turned"};
+    const std::vector<std::string> same = {"squared", "mixed",  "twofold",  "delta",      "imaginary",
+                                           "entry",   "scaled", "heaviest", "block_sum",  "bytes",
+                                           "reset",   "again",  "turned",   "first_step", "shifted"};
     nlohmann::json pairs = run_on("a.c", kOldC, "b.c", kOldC, {"--inputs", "600", "--ulps", "0"});
     for (const std::string& name : same) EXPECT_EQ(pair_of(pairs, name)["state"], "same") << pair_of(pairs, name);
     EXPECT_EQ(pair_of(pairs, "logged")["reason"], "input and output: f");
@@ -653,7 +667,9 @@ TEST_F(Difftest, RunsOldCAndFollowsPointersOfStructs) {
                                                                     {"p[n].second", "p[0].second"},
                                                                     {"data[n] * 3", "data[n] * 4"},
                                                                     {"n * again", "n + again"},
-                                                                    {"x << 3", "x << 4"}})
+                                                                    {"x << 3", "x << 4"},
+                                                                    {"a << 1", "a << 2"},
+                                                                    {"steps[1](x + 1)", "steps[1](x + 2)"}})
         other = replaced(other, from, to);
     pairs = run_on("a.c", kOldC, "b.c", other, {"--inputs", "600", "--ulps", "0"});
     for (const std::string& name : same) EXPECT_EQ(pair_of(pairs, name)["state"], "differs") << pair_of(pairs, name);
