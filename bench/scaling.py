@@ -7,7 +7,7 @@
                      [--journal FILE]
 
 Makes each text of bench/constructs.json in a temporary folder (in memory where that can be) as both sides of a
-repository, edits one side and both, and runs scan, map, init, check, compare and effort. Prints a Markdown table of the
+repository, edits one side and both, and runs scan, map, init, check, check --base, compare and effort. Prints a Markdown table of the
 worst constructs of each command (--all: of all); exits 1 if twice the size takes more than 2.3 times as long, or more
 than 1 GiB. Times are the processor's; below 0.5 s they count as that: they are the start of the program. A time of the
 smaller size that could not matter is not taken, and shown as -.
@@ -93,12 +93,13 @@ def measure(tool, construct, size, wanted=None):
         run("scan", "scan", "s", "--format", "json")
         run("map", "map", *SIDES, "--format", "json")
         run("init", "init", *SIDES)
-        for command in (["init", "-q"], ["add", "s", "t"], ["commit", "-qm", "before"]):
+        for command in (["init", "-q"], ["add", "-A"], ["commit", "-qm", "before"]):
             repository.git(*command)
         repository.write(one, old)
         run("check, one side", "check")
         repository.write(other, one)
         run("check, both sides", "check")
+        run("check --base", "check", "--base", "HEAD")
         run("compare", "compare", "s/a.cu", "t/a.cpp")
         for command in (["add", "s", "t"], ["commit", "-qm", "now"]):
             repository.git(*command)

@@ -150,7 +150,8 @@ void note_vectors(const Words& text, Language language, VectorNames& names) {
 void write_plain_components(Words& statement, const VectorNames& names) {
     for (size_t i = 1; i + 1 < statement.size() && !names.empty(); ++i) {
         const bool of_member = i > 1 && is_one_of(statement[i - 2], {".", "->", "::"});
-        if (statement[i] != "." || of_member || !names.contains(statement[i - 1])) continue;
+        const bool is_call = i + 2 < statement.size() && statement[i + 2] == "(";  // which no part has
+        if (statement[i] != "." || of_member || is_call || !names.contains(statement[i - 1])) continue;
         const auto found = plain_swizzles().find(statement[i + 1]);
         if (found != plain_swizzles().end()) statement[i + 1] = found->second;
     }

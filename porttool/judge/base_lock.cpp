@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/judge/base_lock.h"
 
+#include <algorithm>
+#include <functional>
+#include <iterator>
 #include <optional>
+#include <unordered_set>
 
 #include "porttool/judge/first_record.h"
 #include "porttool/judge/macro_record.h"
@@ -112,6 +116,50 @@ private:
     BySide<std::optional<Resolver>> found_;
 };
 
+/// What no pair led to at the base, and what today's lock says of such units beyond that.
+void add_baseline(LockFile& out, const Snapshot& base, const LockFile& now) {
+    const MapFile& map = base.project.map;
+    const TargetSets sets(map);
+    const auto paired = paired_units(map, sets);
+    BySide<std::vector<LockedUnit>> then;  // each sorted by id
+    for (const Side side : kBothSides)
+        if (is_contract(map.reference, side)) then[side] = baseline_of(base.states[side], side, paired[side], sets);
+    const auto is_said = [&](const LockedUnit& line) {
+        if (!line.reason.empty() || !line.more.empty()) return false;
+        const auto& lines = then[line.side == side_word(Side::Source) ? Side::Source : Side::Target];
+        const auto by_id = [](const LockedUnit& one, const std::string& id) { return one.id < id; };
+        const auto known = std::lower_bound(lines.begin(), lines.end(), line.id, by_id);
+        return known != lines.end() && known->id == line.id && known->side == line.side && known->more.empty() &&
+               known->prints == line.prints;
+    };
+    std::vector<LockedUnit> more;
+    std::copy_if(now.baseline.begin(), now.baseline.end(), std::back_inserter(more), std::not_fn(is_said));
+    out.baseline = std::move(then.source);
+    for (std::vector<LockedUnit>* lines : {&then.target, &more})
+        out.baseline.insert(out.baseline.end(), std::make_move_iterator(lines->begin()),
+                            std::make_move_iterator(lines->end()));
+}
+
+/// The texts that may be asked for: behind the prints of the lock, and of units that are another now.
+std::map<Print, UnitText> texts_for(const LockFile& lock, const States& then, const States& today) {
+    std::unordered_set<uint64_t> named;
+    for (const LockedPair& pair : lock.pairs)
+        named.insert({pair.source_prints.written.bits(), pair.target_prints.written.bits()});
+    for (const LedgerEntry& entry : lock.ledger) named.insert({entry.source_print.bits(), entry.target_print.bits()});
+    std::map<Print, UnitText> out;
+    const auto add = [&](const UnitState& state) { out.emplace(state.prints.written, state.text); };
+    for (const Side side : kBothSides) {
+        for (const auto& [id, state] : then[side]) {
+            const UnitState* now = find_in(today[side], id);
+            const bool is_same = now != nullptr && now->prints.written == state.prints.written;
+            if (!is_same || named.contains(state.prints.written.bits())) add(state);
+        }
+        for (const auto& [id, state] : today[side])
+            if (named.contains(state.prints.written.bits())) add(state);
+    }
+    return out;
+}
+
 }  // namespace
 
 BaseRecord base_record(Snapshot& base, const RecordedLock& now, const States& today, std::ostream& err) {
@@ -127,15 +175,14 @@ BaseRecord base_record(Snapshot& base, const RecordedLock& now, const States& to
     const FileText text = base.git.read(beside_map(project, "portmap.lock"), kLargestFile);
     if (!text.error.empty()) return out;
     if (text.bytes == now.written) {
-        out.lock = now;
         out.has_lock = true;
         return out;
     }
     try {
         ReadLock read = read_lock(text.bytes);
         if (is_outdated(read.lock)) read_base_texts(base);  // only then are they needed
-        out.lock = lock_of_today(project, base.git, std::move(read), today);
-        note_macros_as_today(out.lock.lock, now.lock, base);
+        out.changed_lock = lock_of_today(project, base.git, std::move(read), today).lock;
+        note_macros_as_today(*out.changed_lock, now.lock, base);
         out.has_lock = true;
     } catch (const CannotDo& problem) {
         err << "warning: at " << terminal_text(base.at.revision) << ": " << problem.what()
@@ -147,9 +194,6 @@ BaseRecord base_record(Snapshot& base, const RecordedLock& now, const States& to
 BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& now, const States& today,
                    const TextOf& text_of) {
     BaseLock out;
-    for (const States* states : {&base.states, &today})
-        for (const Side side : kBothSides)
-            for (const auto& [id, state] : (*states)[side]) out.texts.emplace(state.prints.written, state.text);
     const LinesByPair lines_then(then), lines_now(now);
     const StaleIds stale(base, lines_now, today, text_of);
     for (const MapPair& pair : base.project.map.pairs) {
@@ -182,14 +226,9 @@ BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& n
         }
     }
     note_macros(out.lock, base.files(), base.states);
-    const TargetSets sets(base.project.map);
-    const auto paired = paired_units(base.project.map, sets);
-    for (const Side side : kBothSides)
-        if (is_contract(base.project.map.reference, side))
-            for (LockedUnit& line : baseline_of(base.states[side], side, paired[side], sets))
-                out.lock.baseline.push_back(std::move(line));
-    out.lock.baseline.insert(out.lock.baseline.end(), now.baseline.begin(), now.baseline.end());
+    add_baseline(out.lock, base, now);
     out.lock.ledger = now.ledger;
+    out.texts = texts_for(out.lock, base.states, today);
     return out;
 }
 

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <ostream>
 #include <set>
 #include <string>
@@ -21,7 +22,12 @@ struct BaseRecord {
     bool has_map = false;
     MapFile map;
     bool has_lock = false;
-    RecordedLock lock;
+    std::optional<LockFile> changed_lock;  ///< where today's is not the same
+
+    const LockFile& lock(const RecordedLock& now) const {
+        static const LockFile none;
+        return !has_lock ? none : changed_lock ? *changed_lock : now.lock;
+    }
 };
 
 /// A map or lock there that cannot be used is as none, with a word on `err`: history cannot be mended. `now`: today's

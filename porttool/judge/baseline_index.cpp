@@ -3,11 +3,11 @@
 #include "porttool/judge/baseline_index.h"
 
 #include <algorithm>
-#include <functional>
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
-#include <unordered_map>
-#include <unordered_set>
+#include <string_view>
 #include <utility>
 
 #include "porttool/judge/resolve.h"
@@ -17,74 +17,122 @@
 namespace porttool {
 namespace {
 
-/// Lines that excuse no unit yet, by some key; of equal ones those with a reason come first.
+/// Lines by some key; of equal ones those with a reason are taken first.
+template <class Key>
 class FreeLines {
 public:
-    using Key = std::function<std::string(const LockedUnit&)>;
-
-    FreeLines(const std::vector<const LockedUnit*>& lines, const Key& key) {
+    template <class KeyOf>
+    FreeLines(const std::vector<const LockedUnit*>& lines, const KeyOf& key_of) {
+        by_key_.reserve(lines.size());
         for (const bool with_reason : {false, true})
-            for (const LockedUnit* line : lines)
-                if (line->reason.empty() != with_reason) by_key_[key(*line)].push_back(line);
+            for (uint32_t i = 0; i < lines.size(); ++i)
+                if (lines[i]->reason.empty() != with_reason) by_key_.push_back({key_of(*lines[i]), i, 0});
+        std::stable_sort(by_key_.begin(), by_key_.end(), [](const Line& a, const Line& b) { return a.key < b.key; });
+        for (size_t first = 0, i = 0; i < by_key_.size(); ++i) {
+            if (by_key_[i].key != by_key_[first].key) first = i;
+            ++by_key_[first].left;
+        }
     }
-    const LockedUnit* take(const std::string& key) {
-        const auto found = by_key_.find(key);
-        if (found == by_key_.end() || found->second.empty()) return nullptr;
-        const LockedUnit* line = found->second.back();
-        found->second.pop_back();
-        return line;
+
+    /// The number of a line of that key, taken out.
+    std::optional<uint32_t> take(const Key& key) {
+        const auto first = std::lower_bound(by_key_.begin(), by_key_.end(), key,
+                                            [](const Line& line, const Key& wanted) { return line.key < wanted; });
+        if (first == by_key_.end() || first->key != key || first->left == 0) return std::nullopt;
+        return first[--first->left].number;
     }
 
 private:
-    std::unordered_map<std::string, std::vector<const LockedUnit*>> by_key_;
+    struct Line {
+        Key key;
+        uint32_t number = 0;
+        uint32_t left = 0;  ///< of the first of a key: how many of it were not taken
+    };
+    std::vector<Line> by_key_;  ///< sorted
 };
+
+using IdAndPrint = std::pair<std::string_view, Print>;
 
 /// With --base the base's own baseline stands beside that of the lock: what both say is one line, with its reason.
 std::vector<const LockedUnit*> distinct(const std::vector<LockedUnit>& lines, std::string_view side,
                                         const std::string& set) {
-    std::map<std::pair<std::string, Print>, const LockedUnit*> known;
-    for (const LockedUnit& line : lines) {
-        if (line.side != side || !lacks(line, set)) continue;
-        const LockedUnit*& best = known[{line.id, line.prints.written}];
-        if (best == nullptr || best->reason.empty()) best = &line;
-    }
-    std::vector<const LockedUnit*> out;
-    for (const auto& [key, line] : known) out.push_back(line);
+    std::vector<const LockedUnit*> all, out;
+    for (const LockedUnit& line : lines)
+        if (line.side == side && lacks(line, set)) all.push_back(&line);
+    const auto key_of = [](const LockedUnit* line) { return IdAndPrint(line->id, line->prints.written); };
+    std::stable_sort(all.begin(), all.end(),
+                     [&](const LockedUnit* a, const LockedUnit* b) { return key_of(a) < key_of(b); });
+    for (const LockedUnit* line : all)
+        if (out.empty() || key_of(out.back()) != key_of(line))
+            out.push_back(line);
+        else if (out.back()->reason.empty())
+            out.back() = line;
     return out;
 }
+
+/// Hands out lines to the units that they excuse, key after key.
+class Handout {
+public:
+    Handout(std::vector<const LockedUnit*> lines, std::vector<const UnitState*> units)
+        : lines_(std::move(lines)), open_(std::move(units)) {}
+
+    /// A unit whose key is none, as of a text that says too little, gets no line.
+    template <class Key, class OfLine, class OfUnit, class Found>
+    void match(const OfLine& of_line, const OfUnit& of_unit, Found& found) {
+        if (open_.empty() || lines_.empty()) return;
+        FreeLines<Key> free(lines_, of_line);
+        std::vector<char> used(lines_.size());
+        std::erase_if(open_, [&](const UnitState* unit) {
+            const std::optional<Key> key = of_unit(*unit);
+            const std::optional<uint32_t> line = key ? free.take(*key) : std::nullopt;
+            if (!line) return false;
+            found[unit] = lines_[*line];
+            used[*line] = 1;
+            return true;
+        });
+        erase([&](size_t i) { return used[i] != 0; });
+    }
+
+    /// Leaves lines out, by their place.
+    template <class Is>
+    void erase(const Is& is_left_out) {
+        size_t kept = 0;
+        for (size_t i = 0; i < lines_.size(); ++i)
+            if (!is_left_out(i)) lines_[kept++] = lines_[i];
+        lines_.resize(kept);
+    }
+    const LockedUnit& line(size_t i) const { return *lines_[i]; }
+
+private:
+    std::vector<const LockedUnit*> lines_;
+    std::vector<const UnitState*> open_;
+};
 
 }  // namespace
 
 BaselineIndex::BaselineIndex(const std::vector<LockedUnit>& lines, Side side, const std::string& set,
                              const std::vector<const UnitState*>& units, const std::map<std::string, UnitState>& all) {
-    std::vector<const LockedUnit*> free_lines = distinct(lines, side_word(side), set);
-    std::vector<const UnitState*> open = units;
-    const auto match = [&](const FreeLines::Key& of_line, const std::function<std::string(const UnitState&)>& of_unit) {
-        if (open.empty() || free_lines.empty()) return;
-        FreeLines free(free_lines, of_line);
-        std::unordered_set<const LockedUnit*> used;
-        std::erase_if(open, [&](const UnitState* unit) {
-            const std::string key = of_unit(*unit);
-            const LockedUnit* line = key.empty() ? nullptr : free.take(key);
-            if (line == nullptr) return false;
-            found_[unit] = line;
-            used.insert(line);
-            return true;
-        });
-        std::erase_if(free_lines, [&](const LockedUnit* line) { return used.contains(line); });
-    };
-    match([](const LockedUnit& l) { return l.id + " " + l.prints.written.text(); },
-          [](const UnitState& u) { return u.id + " " + u.prints.written.text(); });
-    match([](const LockedUnit& l) { return l.prints.written.text(); },
-          [](const UnitState& u) { return u.prints.written.text(); });
-    match([](const LockedUnit& l) { return l.id; }, [](const UnitState& u) { return u.id; });
-    std::erase_if(free_lines, [&](const LockedUnit* line) { return all.contains(line->id); });  // left: what is gone
-    match(
-        [](const LockedUnit& l) { return l.prints.renamed.text(); },
-        [](const UnitState& u) { return u.text.size() < kTokensOfOwnText ? std::string() : u.prints.renamed.text(); });
-    match([](const LockedUnit& l) { return split_id(l.id).first + ":" + std::string(leaf_of(split_id(l.id).second)); },
-          [](const UnitState& u) { return u.file + ":" + std::string(leaf_of(u.name)); });
-    match([](const LockedUnit& l) { return split_id(l.id).second; }, [](const UnitState& u) { return u.name; });
+    Handout handout(distinct(lines, side_word(side), set), units);
+    using std::optional, std::string, std::string_view;
+    handout.match<IdAndPrint>([](const LockedUnit& l) { return IdAndPrint(l.id, l.prints.written); },
+                              [](const UnitState& u) { return optional(IdAndPrint(u.id, u.prints.written)); }, found_);
+    handout.match<Print>([](const LockedUnit& l) { return l.prints.written; },
+                         [](const UnitState& u) { return optional(u.prints.written); }, found_);
+    handout.match<string_view>([](const LockedUnit& l) { return string_view(l.id); },
+                               [](const UnitState& u) { return optional<string_view>(u.id); }, found_);
+    handout.erase([&](size_t i) { return all.contains(handout.line(i).id); });  // left: what is gone
+    handout.match<Print>(
+        [](const LockedUnit& l) { return l.prints.renamed; },
+        [](const UnitState& u) { return u.text.size() < kTokensOfOwnText ? std::nullopt : optional(u.prints.renamed); },
+        found_);
+    handout.match<string>(
+        [](const LockedUnit& l) {
+            const auto [file, name] = split_id(l.id);
+            return file + ":" + string(leaf_of(name));
+        },
+        [](const UnitState& u) { return optional(u.file + ":" + string(leaf_of(u.name))); }, found_);
+    handout.match<string>([](const LockedUnit& l) { return split_id(l.id).second; },
+                          [](const UnitState& u) { return optional(u.name); }, found_);
 }
 
 const LockedUnit* BaselineIndex::find(const UnitState& unit) const {

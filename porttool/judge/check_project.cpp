@@ -100,13 +100,14 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
     if (!base.note.empty()) place.err << base.note << "\n";
     RecordedLock now = lock_if_readable(checked, place.err);
     const BaseRecord then = base_record(base, now, checked.states, place.err);
-    const LockFile& in_force = choice.trusted_map ? then.lock.lock : now.lock;
-    BaseLock in_step = base_lock(base, then.lock.lock, in_force, checked.states, [&](Print print) {
+    const LockFile& then_lock = then.lock(now);
+    const LockFile& in_force = choice.trusted_map ? then_lock : now.lock;
+    BaseLock in_step = base_lock(base, then_lock, in_force, checked.states, [&](Print print) {
         const auto found = now.texts.find(print);
         return found == now.texts.end() ? base_text(checked.project, checked.disk(), print) : found->second.get();
     });
     const std::vector<PlacedSuppression> known = placed_suppressions(base);
-    const GateState before{then.has_map, then.map, then.has_lock, then.lock.lock, known};
+    const GateState before{then.has_map, then.map, then.has_lock, then_lock, known};
     const GateState today{true, map_today, checked.recorded, now.lock, checked.suppressions};
     std::vector<BroughtIn> brought = brought_in(before, today, checked.project.map_name);
     tell_lost_texts(checked, now, base, place, brought);
@@ -120,7 +121,7 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
     for (const Side side : kBothSides) checked.new_words[side] = new_words(checked.files(side), base.files(side));
     checked.base_states = std::move(base.states);
     if (choice.trusted_map && then.has_lock)
-        checked.in_project = then.lock.lock;
+        checked.in_project = then_lock;
     else if (!choice.trusted_map && checked.recorded && !now.written.empty())
         checked.in_project = std::move(now.lock);
     return brought;

@@ -66,8 +66,31 @@ bool is_promise(std::string_view word, bool in_body) {
     return is_place || word_is(word, kPromise | kHeadPromise) || is_one_of(word, {"highp", "mediump", "lowp"});
 }
 
+constexpr int kMostDefinitions = 256;      ///< that one question leads to
+constexpr uint32_t kLongestPromise = 256;  ///< tokens
+constexpr size_t kMostParameters = 64;
+
+/// What is asked of other macros.
+struct Within {
+    bool in_body = false;
+    const MacrosNamed& macros;
+    int& left;  ///< definitions that may be looked at yet
+};
+
+bool only_promises_in(const std::vector<std::string_view>& body, const Within& where);
+
+/// True for a macro that stands for promises alone, wherever it is defined.
+bool is_macro_of_promises(std::string_view word, const Within& where) {
+    const std::vector<NewWord>& all = where.macros(word);
+    return !all.empty() && std::all_of(all.begin(), all.end(), [&](const NewWord& one) {
+        if (--where.left < 0 || one.said.tokens.end - one.said.tokens.first > kLongestPromise) return false;
+        const Definition macro = definition_of(one);
+        return !macro.has_parameters && only_promises_in(macro.body, where);
+    });
+}
+
 /// True for promises and attributes alone.
-bool only_promises_in(const std::vector<std::string_view>& body, bool in_body) {
+bool only_promises_in(const std::vector<std::string_view>& body, const Within& where) {
     for (size_t i = 0; i < body.size(); ++i) {
         const bool is_group = is_one_of(body[i], {"__attribute__", "__attribute", "__declspec"});
         if (is_group || (body[i] == "[" && i + 1 < body.size() && body[i + 1] == "[")) {
@@ -78,7 +101,8 @@ bool only_promises_in(const std::vector<std::string_view>& body, bool in_body) {
                     return false;
         } else if (body[i] == "__launch_bounds__" && i + 1 < body.size() && body[i + 1] == "(") {
             i = closing(body, i + 1);
-        } else if (!(body[i] == "\"C\"" && i > 0 && body[i - 1] == "extern") && !is_promise(body[i], in_body)) {
+        } else if (!(body[i] == "\"C\"" && i > 0 && body[i - 1] == "extern") && !is_promise(body[i], where.in_body) &&
+                   !is_macro_of_promises(body[i], where)) {
             return false;
         }
     }
@@ -149,9 +173,18 @@ size_t only_use(const Definition& macro, std::string_view parameter) {
     return count == 1 ? out : macro.body.size();
 }
 
-/// True if the one parameter is evaluated once, as it is, whatever else is seen of its value.
+/// True if what a parameter stands for is called.
+bool calls_parameter(const Definition& macro) {
+    for (size_t i = 0; i < macro.body.size(); ++i)
+        if (macro.is_parameter(macro.body[i]) &&
+            (macro.at(i + 1) == "(" || (macro.at(i + 1) == ")" && macro.at(i + 2) == "(")))
+            return true;
+    return false;
+}
+
+/// True if the first parameter is evaluated once, as it is, whatever else is seen of its value.
 bool evaluates_once(const Definition& macro) {
-    if (!macro.has_parameters || macro.parameters.size() != 1) return false;
+    if (macro.parameters.empty() || calls_parameter(macro)) return false;
     const size_t place = only_use(macro, macro.parameters[0]);
     if (place >= macro.body.size() || !keeps_values(macro, true)) return false;
     for (size_t i = 0; i < place; ++i) {
@@ -162,7 +195,8 @@ bool evaluates_once(const Definition& macro) {
         if (word == "if" && (macro.at(i + 1) != "(" || closing(macro.body, i + 1) < place)) return false;
     }
     size_t left = place, right = place + 1;  // around it and its parentheses
-    while (left > 0 && macro.at(left - 1) == "(" && macro.at(right) == ")") --left, ++right;
+    const auto is_called = [&](size_t open) { return open > 0 && is_word_token(macro.at(open - 1)); };  // `report(x)`
+    while (left > 0 && macro.at(left - 1) == "(" && macro.at(right) == ")" && !is_called(left - 1)) --left, ++right;
     const std::string_view before = left > 0 ? macro.at(left - 1) : "", after = macro.at(right);
     return (before.empty() || is_one_of(before, {"(", "=", "{", ";", ")", ",", ">"})) &&
            (after.empty() || is_one_of(after, {")", ";", ",", "}", "!=", "=="}));
@@ -184,8 +218,9 @@ bool throws_away(const Definition& macro) {
     return true;
 }
 
-bool is_harmless_macro(const Definition& macro, LeftOutAs as, std::string_view word, bool in_body,
+bool is_harmless_macro(const Definition& macro, LeftOutAs as, std::string_view word, const Within& where,
                        const Dialect& dialect) {
+    if (macro.parameters.size() > kMostParameters) return false;
     switch (as) {
         case LeftOutAs::Unused:
             return throws_away(macro);
@@ -196,7 +231,8 @@ bool is_harmless_macro(const Definition& macro, LeftOutAs as, std::string_view w
                    std::all_of(macro.parameters.begin(), macro.parameters.end(),
                                [&](std::string_view one) { return only_use(macro, one) < macro.body.size(); });
         case LeftOutAs::Aside:
-            return macro.has_parameters ? keeps_values(macro, false) : is_other_name(macro.body, as);
+            return macro.has_parameters ? keeps_values(macro, false) && !calls_parameter(macro)
+                                        : is_other_name(macro.body, as);
         case LeftOutAs::Local:
             return false;
         case LeftOutAs::Word:
@@ -204,17 +240,33 @@ bool is_harmless_macro(const Definition& macro, LeftOutAs as, std::string_view w
     }
     if (const std::string* known = dialect.meaning(word); known != nullptr && !known->empty())
         return !macro.has_parameters && names_same_type(word, macro.body, dialect);
-    const bool counts_storage = in_body || is_one_of(word, {"static", "extern"});
+    const bool counts_storage = where.in_body || is_one_of(word, {"static", "extern"});
     if (macro.body.empty()) return !word_is(word, ~Roles{0}) || is_promise(word, counts_storage);
-    return only_promises_in(macro.body, counts_storage);
+    return only_promises_in(macro.body, {counts_storage, where.macros, where.left});
 }
 
 }  // namespace
 
-bool is_harmless(const NewWord& said, LeftOutAs as, bool in_body, const Dialect& dialect) {
+bool is_harmless(const NewWord& said, LeftOutAs as, bool in_body, const Dialect& dialect, const MacrosNamed& macros) {
+    int left = kMostDefinitions;
     if (said.said.kind == DeclaredWord::Kind::Macro)
-        return is_harmless_macro(definition_of(said), as, said.word(), in_body, dialect);
+        return is_harmless_macro(definition_of(said), as, said.word(), {in_body, macros, left}, dialect);
     return as == LeftOutAs::Word && names_same_type(said.word(), aliased(said), dialect);
+}
+
+bool is_harmless_within(const NewWord& said, LeftOutAs as, bool in_body, const Dialect& dialect,
+                        const MacrosNamed& macros) {
+    const Definition macro = definition_of(said);
+    const bool has_words = std::any_of(macro.body.begin(), macro.body.end(), is_word_token);
+    if (!macro.has_parameters && !macro.body.empty() && !has_words)
+        return true;  // a number, whose edit is told as such
+    int left = kMostDefinitions;
+    if (as == LeftOutAs::Word || macro.has_parameters)
+        return is_harmless_macro(macro, as, said.word(), {in_body, macros, left}, dialect);
+    const bool evaluates = std::none_of(macro.body.begin(), macro.body.end(), [](std::string_view word) {
+        return is_one_of(word, {"sizeof", "decltype", "typeof", "__typeof__", "alignof", "noexcept", "&&", "||", "?"});
+    });
+    return evaluates && keeps_values(macro, false);
 }
 
 }  // namespace porttool

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string_view>
+#include <vector>
 
 #include "porttool/judge/new_words.h"
 #include "porttool/language/dialect.h"
@@ -19,9 +21,17 @@ enum class LeftOutAs : uint8_t {
     Local,   ///< a variable of the unit's own, whose name is free
 };
 
+/// All definitions that a side has of a macro now.
+using MacrosNamed = std::function<const std::vector<NewWord>&(std::string_view)>;
+
 /// True if what is said of a word, `#define FORCE_INLINE inline`, `#define CUDA_CHECK(x) report((x), __LINE__)`,
 /// `typedef unsigned int uint32_t`, leaves each text that has the word what the comparison takes it for, as its form
-/// alone shows. `in_body`: the word stands within a function, where a `static` counts.
-bool is_harmless(const NewWord& said, LeftOutAs as, bool in_body, const Dialect& dialect);
+/// alone shows, and that of the macros it names. `in_body`: the word stands within a function, where a `static` counts.
+/// Of a check with several parameters that holds where all arguments but the first do nothing by themselves.
+bool is_harmless(const NewWord& said, LeftOutAs as, bool in_body, const Dialect& dialect, const MacrosNamed& macros);
+
+/// The same of a macro that another one, which the text has, names in its definition.
+bool is_harmless_within(const NewWord& macro, LeftOutAs as, bool in_body, const Dialect& dialect,
+                        const MacrosNamed& macros);
 
 }  // namespace porttool

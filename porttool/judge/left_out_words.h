@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <compare>
 #include <map>
 #include <optional>
 #include <string>
@@ -42,16 +43,40 @@ private:
         const ScannedFile* file = nullptr;
         const Unit* unit = nullptr;
     };
+    /// Something said of a word that may be harmful, or said of one that a macro of that word names.
+    struct Said {
+        const NewWord* what = nullptr;
+        bool is_within = false;
+    };
+    /// A word of a unit that means something else now.
+    struct Changed {
+        Said said;
+        std::string_view word;  ///< that the unit has
+    };
+    /// How a word stands in a unit, as far as that decides what is harmful.
+    struct Standing {
+        std::string_view word;
+        LeftOutAs as;
+        bool in_body;
+        bool has_plain_rest;  ///< all arguments but the first do nothing by themselves
+        auto operator<=>(const Standing&) const = default;
+    };
     /// Of one side, filled when first asked.
     struct SideWords {
-        std::unordered_multimap<std::string_view, const NewWord*> by_word;  ///< what is said of words
-        std::unordered_map<std::string, Place> places;                      ///< of units, by their ids
+        std::unordered_map<std::string_view, std::vector<const NewWord*>> by_word;  ///< what is said of words
+        std::unordered_map<std::string_view, std::vector<NewWord>> macros;          ///< all that the side has now
+        std::unordered_map<std::string_view, std::vector<std::string_view>> names;  ///< macros that these name
+        std::unordered_map<std::string, Place> places;                              ///< of units, by their ids
+        std::map<Standing, std::vector<Said>> harmful;                              ///< filled when first asked
     };
 
     SideWords& words(Side side);
-    std::vector<const NewWord*> changed_in(const JudgedPair& pair, Side side, bool is_told);
+    static void add_names(SideWords& words);
+    std::vector<Changed> changed_in(const JudgedPair& pair, Side side, bool is_told);
+    const std::vector<Said>& harmful(Side side, const Standing& standing);
+    bool is_harmful(const SideWords& all, const Said& said, const Standing& standing) const;
     bool is_seen(Side side, const NewWord& said, const UnitState& user);
-    void tell(const JudgedPair& pair, Side side, const NewWord& said);
+    void tell(const JudgedPair& pair, Side side, const Changed& changed);
 
     const Case& facts_;
     const Dialect& dialect_;

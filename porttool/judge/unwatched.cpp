@@ -54,6 +54,7 @@ public:
             if (baseline.find(*unit) == nullptr && !verdicts_.is_ignored(*unit)) fresh.push_back(unit);
         const Counterparts counterparts = find_counterparts(facts_, out.pairs, side_, sets_, set_, fresh);
         find_told(fresh, counterparts);
+        if (out.lone.empty()) out.lone.reserve(units_.size());
         for (const UnitState* unit : units_) {
             const LockedUnit* line = baseline.find(*unit);
             const std::optional<std::string> said = judge_unit(*unit, line, counterparts);

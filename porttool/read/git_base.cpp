@@ -124,6 +124,7 @@ struct AroundModule {
     std::string folder;  ///< the submodule's own
     GitEntry then, now;  ///< at the merge base, and at HEAD
     std::string error = {};
+    bool knows_revision = true;  ///< false: `then` says nothing
 };
 
 /// None where a work tree lies in no other, or is no submodule of it.
@@ -144,6 +145,9 @@ std::optional<AroundModule> around_module(git_repository* repository, const std:
         out.then = entry_at(around.repository.get(), base.commit, path);
     } else if (!base.is_unknown && out.now.kind == GitEntry::Kind::Submodule) {
         out.error = "in the repository around " + terminal_text(out.folder) + ": " + base.error;
+        return out;
+    } else if (out.now.kind == GitEntry::Kind::Submodule) {
+        out.knows_revision = false;
         return out;
     }
     return out.then.kind == GitEntry::Kind::Submodule ? std::optional(std::move(out)) : std::nullopt;
@@ -174,6 +178,15 @@ MergeBase base_of_module(git_repository* repository, const AroundModule& around,
 MergeBase merge_base_with(git_repository* repository, const std::string& revision) {
     const std::optional<AroundModule> around = around_module(repository, revision);
     if (around && !around->error.empty()) return no_base(around->error);
+    if (around && !around->knows_revision) {
+        MergeBase own = own_merge_base(repository, revision);
+        if (own.error.empty())
+            own.note = "note: " + terminal_text(revision) + " is a name that the submodule " +
+                       terminal_text(around->folder) +
+                       " knows and the repository around it does not, so that another commit or repository in its "
+                       "place is not seen; give --base a revision that both know, or check the repository around it";
+        return own;
+    }
     if (around && (around->now.kind != GitEntry::Kind::Submodule || !git_oid_equal(&around->then.id, &around->now.id)))
         return base_of_module(repository, *around, revision);
     MergeBase own = own_merge_base(repository, revision);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
 #include <utility>
 
@@ -17,8 +18,17 @@ namespace porttool {
 namespace {
 
 constexpr uint64_t kMostBytes = 512ull << 20;
-constexpr uint64_t kMostScannedBytes = 16ull << 20;  // of new files that stay scanned; takes some twenty times that
+constexpr uint64_t kMostScannedBytes = 128ull << 20;  // that new files take which stay scanned
 constexpr std::string_view kFirstLine = "porttool files 1\n";
+
+/// What a scanned file with the texts of its units takes, about.
+uint64_t bytes_of(const ScannedFile& file, const std::vector<UnitState>& states) {
+    constexpr uint64_t kOfUnit = sizeof(Unit) + 160, kOfWord = 12;
+    uint64_t words = 0;
+    for (const UnitState& state : states) words += state.text.size();
+    return file.lexed.text.size() + file.lexed.tokens.size() * sizeof(Token) + file.units.size() * kOfUnit +
+           words * kOfWord;
+}
 
 }  // namespace
 
@@ -84,13 +94,9 @@ KnownSide FactsStore::know(std::vector<SourceText> files, const std::set<std::st
         }
     });
     std::vector<size_t> fresh;
-    uint64_t fresh_bytes = 0;
-    for (size_t i = 0; i < files.size(); ++i) {
-        if (side[i] != nullptr) continue;
-        fresh.push_back(i);
-        fresh_bytes += files[i].text.size();
-    }
-    const bool stay_scanned = fresh_bytes <= kMostScannedBytes;
+    for (size_t i = 0; i < files.size(); ++i)
+        if (side[i] == nullptr) fresh.push_back(i);
+    std::atomic<uint64_t> scanned_bytes = 0;
     in_parallel(fresh.size(), fresh.size() >= kFilesWorthThreads, [&](size_t at) {
         SourceText& source = files[fresh[at]];
         ScannedFile scanned = scan_text(source.path, source.text);
@@ -99,6 +105,8 @@ KnownSide FactsStore::know(std::vector<SourceText> files, const std::set<std::st
         std::optional<FileFacts> facts = FileFacts::read(bytes, *bytes);
         entries[fresh[at]].bytes = facts->bytes();
         entries[fresh[at]].is_new = true;
+        const uint64_t takes = bytes_of(scanned, states);
+        const bool stay_scanned = scanned_bytes.fetch_add(takes) + takes <= kMostScannedBytes;
         side[fresh[at]] =
             stay_scanned
                 ? std::make_shared<const KnownFile>(std::move(source.path), std::move(source.text), std::move(*facts),

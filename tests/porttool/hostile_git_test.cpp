@@ -317,7 +317,8 @@ TEST_F(CheckedSubmodule, IsHeldAgainstWhatTheRepositoryAroundItNamed) {
          "mine", 0, "", held},
         {"a revision of the repository around it alone", "git -C sub branch -D then", "sub", 0, held, "cannot"},
         {"the same, one side", "git -C sub branch -D then; edit sub/src/a.cu; save sub", "sub", 1, held, "cannot"},
-        {"a revision of the submodule alone", "edit sub/src/a.cu; save sub; git branch -D then", "sub", 1, "", held},
+        {"a revision of the submodule alone", "edit sub/src/a.cu; save sub; git branch -D then", "sub", 1,
+         "note: then is a name that the submodule ", held},
     };
     for (const Row& row : rows) {
         SCOPED_TRACE(row.what);
@@ -725,6 +726,9 @@ TEST_F(HostileGit, AWordThatTheComparisonLeavesOutIsToldWhereItMeansSomethingEls
         {call, wrapped,
          "#define CUDA_CHECK(x) do { cudaError_t e = (x); if (e != cudaSuccess) { fail(e); } } while (0)\n", false},
         {call, wrapped, "#define CUDA_CHECK(x) do { cudaError_t e = (x); n = 7; } while (0)\n", true},
+        {call, wrapped, "#define CUDA_CHECK(x) report(x)\n#define report(x) log(x)\n", false},
+        {call, wrapped, "#define CUDA_CHECK(x) report(x)\n#define report(x)\n", true},
+        {call, wrapped, "#define CUDA_CHECK(x) report(x)\n#define report sizeof\n", true},
         {k, k + "\n    UNUSED(k);", "#define UNUSED ++\n", true},
         {k, k + "\n    UNUSED(k);", "#define UNUSED(x) x *= 3\n", true},
         {k, k + "\n    UNUSED(k);", "#define UNUSED(x) (void)(x)\n", false},
@@ -734,6 +738,8 @@ TEST_F(HostileGit, AWordThatTheComparisonLeavesOutIsToldWhereItMeansSomethingEls
         {head, "inline " + head, "#define inline float shade(float, float) { return 1; } template<int>\n", true},
         {head, "FORCE_INLINE " + head, "#define FORCE_INLINE static inline __attribute__((always_inline))\n", false},
         {head, "FORCE_INLINE " + head, "#define FORCE_INLINE __forceinline__\n", false},
+        {head, "FORCE_INLINE " + head, "#define FORCE_INLINE OURS\n#define OURS inline\n", false},
+        {head, "FORCE_INLINE " + head, "#define FORCE_INLINE OURS\n#define OURS template <int>\n", true},
         {"", "", "#define static extern\n#define volatile\ntypedef bool int64_t;\n", false},  // nobody has the word
     };
     for (const LeftOutRow& row : rows) {
@@ -746,6 +752,47 @@ TEST_F(HostileGit, AWordThatTheComparisonLeavesOutIsToldWhereItMeansSomethingEls
             return one["rule"] == "source-changed" && one["level"] == "error";
         });
         EXPECT_EQ(is_told, row.is_told) << row.to << row.header << got["findings"].dump(1);
+    }
+}
+
+TEST_F(HostileGit, AMacroThatALeftOutOneNamesIsToldWhereItIsAnother) {
+    const std::string unit =
+        "#include \"common.h\"\nFORCE_INLINE float shade(float albedo, float cosine) {\n    float y = cosine;\n"
+        "    CUDA_CHECK(cudaMemcpy(&y, &cosine, 4, 1));\n    CUDART_CHECK(cudaFree(&y), \"no y\");\n"
+        "    HIP_CHECK(cudaFree(&y), ++y);\n    return albedo * 0.5f + y;\n}\n";
+    const std::string header =
+        "#pragma once\n#define OURS inline\n#define FORCE_INLINE OURS\n#define OK 0\n"
+        "#define FAIL(e) abort()\n#define SAY(x) report(x)\n"
+        "#define CUDA_CHECK(x) do { if (SAY(x) != OK) FAIL(x); } while (0)\n"
+        "#define CUDART_CHECK(x, text) (x)\n#define HIP_CHECK(x, n) (x)\n";
+    write("src/s.cu", unit);
+    write("src/common.h", header);
+    write("port/s.cpp", replaced(unit, "#include \"common.h\"\n", ""));
+    start();
+    const std::vector<std::array<std::string, 3>> rows = {
+        {"#define OURS inline\n", "#define OURS static\n", ""},
+        {"#define OURS inline\n", "#define OURS template <int>\n", "told"},
+        {"#define OK 0\n", "#define OK 1\n", ""},
+        {"SAY(x) report(x)", "SAY(x) log(x)", ""},
+        {"SAY(x) report(x)", "SAY(x) 0", "told"},
+        {"#define OK 0\n", "#define OK 0\n#define report(x) 0\n", "told"},
+        {"#define OK 0\n", "#define OK 0\n#define report sizeof\n", "told"},
+        {"#define OK 0\n", "#define OK 0\n#define others(x) 0\n", ""},
+        {"CUDART_CHECK(x, text) (x)", "CUDART_CHECK(x, text) do { if (x) fail(text); } while (0)", ""},
+        {"CUDART_CHECK(x, text) (x)", "CUDART_CHECK(x, text) text(x)", "told"},
+        {"CUDART_CHECK(x, text) (x)", "CUDART_CHECK(x, text)", "told"},
+        {"HIP_CHECK(x, n) (x)", "HIP_CHECK(x, n) do { if (x) fail(n); } while (0)", "told"},
+    };
+    for (const auto& [from, to, told] : rows) {
+        write("src/common.h", replaced(header, from, to));
+        const CommandRun run = porttool({"check", "--base", "main", "--format", "json"});
+        ASSERT_NE(run.exit_code, 2) << to << run.err;
+        const auto got = nlohmann::json::parse(run.out);
+        const bool is_told = std::any_of(got["findings"].begin(), got["findings"].end(), [](const auto& one) {
+            return one["rule"] == "source-changed" && one["level"] == "error" &&
+                   one["source"]["id"] == "src/s.cu:shade";
+        });
+        EXPECT_EQ(is_told, !told.empty()) << to << got["findings"].dump(1);
     }
 }
 
