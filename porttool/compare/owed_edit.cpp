@@ -79,14 +79,6 @@ bool reorders_or_retunes_words(const SideEdit& edit) {
     return edit.gained == edit.lost || (edit.size < kLong && any_number(edit.gained) && any_number(edit.lost));
 }
 
-/// True if any of the words that went stands in a clause of which most has its like.
-bool takes_what_both_say(LaidEdit& laid) {
-    const TouchedWords touched(laid.edit());
-    for (size_t i = 0; i < touched.went.size(); ++i)
-        if (touched.went[i] && laid.before().has_like_clause(i)) return true;
-    return false;
-}
-
 }  // namespace
 
 double weight_of_evidence(LaidEdit& laid) {
@@ -124,7 +116,7 @@ Owed how_owed(LaidEdit& laid) {
         return Owed::Likely;
     const double evidence = weight_of_evidence(laid);
     if (evidence >= kLikely) return Owed::Likely;
-    if (evidence >= kPerhaps || size <= kSurelyMeant || takes_what_both_say(laid) || changes_launches(laid.texts()))
+    if (evidence >= kPerhaps || size <= kSurelyMeant || touches_common_clauses(laid) || changes_launches(laid.texts()))
         return Owed::Perhaps;
     return Owed::Hardly;
 }

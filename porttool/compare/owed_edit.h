@@ -11,7 +11,8 @@ namespace porttool {
 /// How likely it is that the other side owes an edit of one side alone. `Perhaps` and `Hardly` of an edit of more than
 /// a dozen words of which little, or hardly anything, has to do with the other side's text. Not of words that are never
 /// silent, of the same words in another order, of numbers in the place of numbers, and of short texts, whose words have
-/// their like by chance. `Hardly` takes nothing that stood in what both sides say, and changes no launch.
+/// their like by chance. `Hardly` takes nothing from, and brings nothing beside, a clause
+/// that both sides have, and changes no launch.
 enum class Owed : uint8_t { Hardly, Perhaps, Likely };
 Owed how_owed(LaidEdit& laid);
 

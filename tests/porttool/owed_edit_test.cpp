@@ -89,6 +89,17 @@ TEST(OwedEdit, LongEditsOfWhatThePortDoesInItsOwnWay) {
     }
 }
 
+TEST(OwedEdit, WhatStandsBesideAStatementOfBothIsToldWhateverTheRestSays) {
+    const std::string shared = "    y.store(at, v);\n";
+    const std::string port = replaced(kStranger, "  return report.status();\n", shared + "  return report.status();\n");
+    const Edit clamp = {"a clamp", "y.store(at, v);",
+                        "y.store(at, v); if (y.load(at) > lim * step) { y.store(at, lim * step); }"};
+    EXPECT_NE(level_of(port, clamp), "note");
+    const Edit gone = {"gone with more", "    y.store(at, v);\n    sum += v * w.load(at);\n",
+                       "    tally.add(at, part_of(v, rows)); log.note(at, rows);\n"};
+    EXPECT_NE(level_of(port, gone), "note");
+}
+
 TEST(OwedEdit, WhatIsNeverSilentIsNotDoubted) {
     const std::vector<Edit> edits = {
         {"volatile", "float v = x.load(at) * 0.5f;", "volatile float v = x.load(at) * 0.5f; watch(v); settle(v, at);"},
