@@ -10,6 +10,7 @@
 #include "porttool/judge/evidence.h"
 #include "porttool/read/clock.h"
 #include "porttool/read/git_repository.h"
+#include "porttool/read/lock_upgrade.h"
 #include "porttool/read/source_glob.h"
 #include "porttool/scan/scan.h"
 #include "porttool/snapshot/folder_of_base.h"
@@ -160,10 +161,30 @@ void judge_with_evidence(CheckedProject& checked, const std::vector<std::string>
         place.err << "note: " << count << " pairs of the evidence are not in " << checked.project.map_name << "\n";
 }
 
+/// The texts that a sparse checkout leaves out, as the index has them; none for one that is not what its name says.
+std::map<Print, UnitText> left_out_texts(const Project& project, const LostTexts& lost) {
+    std::map<Print, UnitText> out;
+    if (lost.left_out.empty()) return out;
+    const std::string before = lost.folder + "/";
+    const auto print_of = [&](const std::string& path) {
+        return path.starts_with(before) ? Print::read(path.substr(before.size())) : Print();
+    };
+    const auto wants = [&](const std::string& path) { return lost.left_out.contains(print_of(path)); };
+    GitFiles files = GitRepository(project.root).files_in_index(wants, {lost.folder});
+    for (auto& [path, bytes] : files.files) {
+        std::erase(bytes, '\r');
+        NormalText text = text_of_print(print_of(path), bytes, kNormalForm);
+        if (!text.empty()) out.emplace(print_of(path), std::move(text));
+    }
+    return out;
+}
+
 /// Without them the gate still tells that a text was edited, not how, and takes no two edits for the same.
-void note_missing_texts(const CheckedProject& checked, Workplace& place) {
-    if (checked.lock.version != 1 && !is_upgraded(checked.texts))
-        place.err << told(missing_texts(checked.project, checked.disk(), checked.lock));
+void note_missing_texts(CheckedProject& checked, Workplace& place) {
+    if (checked.lock.version == 1 || is_upgraded(checked.texts)) return;
+    const LostTexts lost = missing_texts(checked.project, checked.disk(), checked.lock);
+    place.err << told(lost);
+    checked.texts.merge(left_out_texts(checked.project, lost));
 }
 
 /// Files of the sides that a sparse checkout leaves out look as if somebody had removed them.

@@ -591,7 +591,14 @@ TEST_F(HostileChange, TextsThatASparseCheckoutLeavesOutAreNoneThatTheChangeRemov
                 "git sparse-checkout add portmap.base\n");
             EXPECT_EQ(nlohmann::json::parse(got.out)["brought_in"], nlohmann::json::array()) << pattern;
         }
-        git("sparse-checkout disable");
+        const std::string source = read_text(root / "src/k.cu"), port = read_text(root / "port/k.cpp");
+        write("src/k.cu", replaced(source, "2.0f", "5.0f"));
+        EXPECT_EQ(all_of({}).exit_code, 1) << "an edit of one side";
+        write("port/k.cpp", replaced(port, "2.0f", "5.0f"));
+        EXPECT_EQ(all_of({}).exit_code, 0) << "the same edit on both sides, " << pattern << all_of({}).out;
+        write("port/k.cpp", replaced(port, "2.0f", "6.0f"));
+        EXPECT_EQ(all_of({}).exit_code, 1) << "another edit";
+        git("checkout -q -- src port && git diff --quiet HEAD && git sparse-checkout disable");
     }
     git("sparse-checkout set src port && git sparse-checkout add portmap.base");
     EXPECT_EQ(all_of({}).err, "") << "the command that is told";

@@ -502,7 +502,9 @@ TEST_F(MergedLock, WhatAKilledWriterLeftIsRemovedByTheNext) {
     write("portmap.base/README", "mine");
     write("portmap.base/.gitattributes", "* -text\n");
     write("portmap.lock.porttool-1", "mine");
-    ASSERT_EQ(porttool({"accept", id(0)}).exit_code, 0);
+    for (const std::vector<std::string>& writer :
+         {std::vector<std::string>{"accept", id(0)}, {"ignore", id(1), "--reason", "not needed"}, {"init", "--force"}})
+        ASSERT_EQ(porttool(writer).exit_code, 0) << writer[0];
     for (const char* gone : {"portmap.lock.busy", "portmap.lock.porttool-999999.2", "portmap.toml.porttool-999999.1",
                              "portmap.base/0123456789abcdef.porttool-999999.3"})
         EXPECT_FALSE(std::filesystem::exists(root / gone)) << gone;

@@ -199,6 +199,18 @@ TEST_F(Spirv, IncludesAreFoundInTheFoldersOfTheMap) {
     EXPECT_EQ(after("math.glsl", "value * EXTRA", "value * 2.0")["verdict"], "in_step") << last.err;
 }
 
+TEST_F(Spirv, AnIncludeThatLeadsOutOfTheRootIsNotRead) {
+    disk.files["/outside/extra.glsl"] = "#define EXTRA 2.0\n";
+    for (const std::string path :
+         {"/outside/extra.glsl", "../../outside/extra.glsl", "../.git/../../outside/extra.glsl"}) {
+        disk.files["/r/gpu/math.glsl"] =
+            "#include \"" + path + "\"\n" + replaced(kMath, "value * 2.0", "value * EXTRA");
+        record();
+        EXPECT_EQ(after("math.glsl", "value * EXTRA", "value * 2.0")["verdict"], "drift") << path;
+        EXPECT_NE(last.err.find("does not compile"), std::string::npos) << last.err;
+    }
+}
+
 /// Where there is no glslang the option is refused with what to install, and nothing is printed as a result.
 TEST(SpirvOption, WithoutGlslangNamesTheRemedy) {
     if (spirv_is_built_in()) GTEST_SKIP() << "this build has glslang";
