@@ -346,13 +346,13 @@ class KernelsTest(Person):
         red = lambda: sum(r > 60 and g < 30 and b < 30 for r, g, b in self.screen.rows()[HEIGHT - 10])
         self.until(lambda now: red() > WIDTH / 2 and brightness(now) > 20)
         self.save("finalize.glsl")
-        compiled = self.wait_for("reload", lambda detail: detail["core"] == "source")["detail"]
-        self.assertEqual((compiled["files"], "finalize" in compiled["kernels"]), (["finalize.glsl"], True), compiled)
+        compiled = self.wait_for("reload", lambda detail: "finalize" in detail["kernels"])["detail"]
+        self.assertEqual((compiled["core"], compiled["files"]), ("source", ["finalize.glsl"]))
         self.until(lambda now: red() < WIDTH / 2)
         self.save("shade.glsl", ("clamp(", "gibberish("))
-        self.assertIn("'gibberish'", self.wait_for("error", lambda detail: detail.get("core") == "source")["detail"]["message"])
+        self.wait_for("error", lambda detail: "'gibberish'" in detail["message"])
         (self.kernels / "shade.glsl").unlink()
-        self.assertIn("shade.glsl", self.wait_for("error", lambda detail: detail.get("core") == "source")["detail"]["message"])
+        self.wait_for("error", lambda detail: "shade.glsl" in detail["message"] and "'gibberish'" not in detail["message"])
         self.until(lambda now: red() > WIDTH / 2 and brightness(now) > 20)
         self.assertNotIn("source", [event["detail"]["core"] for event in self.events() if event["event"] == "pixels"])
         # Mended, it draws once it is asked to.
@@ -473,7 +473,8 @@ class StoryTest(Person):
         # One that is gone is no news; what is no module is said, and the core goes on; then the build writes one.
         self.xdotool("key", "h")
         module.unlink()
-        module.write_text("broken")
+        (self.folder / "broken").write_text("broken")  # and whole as soon as it is there
+        (self.folder / "broken").rename(module)
         said = self.wait_for("error")["detail"]
         self.assertEqual((said["core"], "is no shared object" in said["message"]), ("target", True), said)
         self.until(lambda now: brightness(now) > 40)
