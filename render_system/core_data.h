@@ -99,9 +99,9 @@ struct CoreMaterial {
     float film = 0.0f;                         ///< KHR_materials_iridescence
     float film_ior = 1.3f;                     ///< KHR_materials_iridescence
     glm::vec2 film_thickness{100.0f, 400.0f};  ///< nanometres, where film_thickness_texture is 0 and 1 (without one: 1)
-    float anisotropy = 0.0f;                   ///< KHR_materials_anisotropy, its strength; nothing where light is bent
-    float anisotropy_rotation = 0.0f;          ///< counter-clockwise from the tangent
-    CoreTextureSlot base_color_texture;        ///< RGB, alpha in A
+    float anisotropy = 0.0f;             ///< KHR_materials_anisotropy, its strength, also of solids that bend light
+    float anisotropy_rotation = 0.0f;    ///< counter-clockwise from the tangent
+    CoreTextureSlot base_color_texture;  ///< RGB, alpha in A
     CoreTextureSlot metallic_roughness_texture;  ///< roughness in G, metallic in B
     CoreTextureSlot normal_texture;              ///< tangent space
     CoreTextureSlot emission_texture;            ///< RGB

@@ -77,6 +77,7 @@ void add_texture(Digest& digest, const HostTexture& texture) {
 }
 
 void add_light(Digest& digest, const PunctualLight& light) {
+    static_assert(sizeof(PunctualLight) == sizeof(std::string) + 48, "a member more goes into the digest");
     add_value(digest, static_cast<uint32_t>(light.kind));
     for (const glm::vec3& vector : {light.position, light.direction, light.emission}) add_value(digest, vector);
     add_value(digest, light.inner_cone);

@@ -22,7 +22,8 @@ struct Outcome {
 /// What Outcome::written says of a command that records.
 inline constexpr const char* kLockIsWritten = "portmap.lock is written";
 
-// Each command stands in a file of its own: its options, and what carries it out.
+// A file for each command has its options, and what carries it out; accept, defer and ignore share settle_command.cpp,
+// with what review calls to take a pair out of the map.
 void declare_scan(Declare& declare, Options& options);
 Outcome run_scan(const Options& options, Workplace& place);
 void declare_map(Declare& declare, Options& options);

@@ -16,7 +16,8 @@ namespace porttool {
 /// Where hardly a third of the two texts is alike, only clauses that are mostly the same are common ground: words have
 /// their like there by chance, and of two dozen words or more the names need not be foreign. `Perhaps` of such, and of
 /// an edit of a dozen words or less: the mend of a fault of both is as short. `Hardly` of launches, and of branches for
-/// the compiler in texts that are alike: it is less likely an error than others, and no more is said.
+/// the compiler in texts that are alike: it is less likely an error than others, a warning
+/// then and never a note.
 ///
 ///     before      q.wait(); y[i] = k * x[i];                                                      port
 ///     now         if (is_shared) { advise(y, q.get_device()); } q.wait(); y[i] = k * x[i];        off it

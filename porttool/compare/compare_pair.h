@@ -57,7 +57,8 @@ struct PairComparison {
 /// True if a side changed by more than its looks, so that a pair is no longer in step by its prints alone.
 inline bool is_edit(Change change) { return change > Change::Cosmetic; }
 
-/// The one judgement of a pair, for all that judge: `check` and `history` alike. Constants and structs are compared by
+/// The one answer to what the texts of a pair mean to each other, for `check` and `history` alike; how much an edit
+/// weighs is asked after it, by `check` alone (PairJudge::weigh_edit). Constants and structs are compared by
 /// their values now where both sides changed, and an edit of one side alone is one even if the value stayed. Other
 /// units are compared by their edits. What is not known or too long to compare is never in step.
 PairComparison compare_pair(const BySide<PairedUnit>& pair, const Dialect& dialect, CompareBudget& budget);

@@ -14,7 +14,7 @@ namespace porttool {
 
 enum class Change : uint8_t { None, Cosmetic, Constant, Semantic };
 
-/// How a unit changed, by its fingerprints alone: a consistent renaming of locals and parameters is cosmetic.
+/// How a unit changed, by its prints alone: a consistent renaming of locals and parameters is cosmetic.
 Change classify(const Fingerprints& before, const Fingerprints& now);
 
 /// What one side's edit did, statement by statement, as a reader sees it.

@@ -19,12 +19,12 @@ struct LoneEdit {
 };
 
 /// Reads one side's edit by the rules of PlainStatements and without_hints(). `before` and `now`: tokens in normal form
-/// of a unit of that kind and language.
+/// of a unit of that kind and language. `names_count`: a macro takes locals as they are spelled, so that their names
+/// are no matter of taste.
 ///
 ///     before    inline float @ (float* a) { return a[0]; }
 ///     now       float @ (const float* a) { return a[0]; }        means nothing
 ///     or now    float @ (const float* a) { return a[1]; }        `return a[1]` for `return a[0]`, no word of the head
-/// `names_count`: a macro takes locals as they are spelled, so that their names are no matter of taste.
 LoneEdit lone_edit(const Words& before, const Words& now, UnitKind kind, Language language, const Dialect& dialect,
                    bool names_count);
 

@@ -42,7 +42,8 @@ struct EditFacts {
     bool refused = false;                       ///< the budget left them uncompared, and they count as out of step
 };
 
-/// Judges a pair as `check` does, and measures its edits. The texts before are needed of both sides.
+/// Judges a pair as compare_pair() does, and measures its edits; what `check` weakens is not weakened here. The texts
+/// before are needed of both sides.
 EditFacts edit_facts(const BySide<PairedUnit>& pair, const Dialect& dialect, CompareBudget& budget);
 
 /// One line of text for a cache, and back; nothing if the text has not that form.

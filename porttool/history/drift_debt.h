@@ -41,6 +41,7 @@ struct OpenPair {
 /// - the first sight of a pair that no lock knows counts as in step, where `check` asks for a first acceptance;
 /// - of the ledger only 'ignore' settles debt: what is deferred is still owed. Neither comments in the code nor [rules]
 ///   nor compilers (`check --spirv`) are asked;
+/// - edits that `check` weakens to a note are debt until they are recorded;
 /// - a text that portmap.base/ has lost may still be known from an earlier commit;
 /// - the budget of comparing is a commit's, and counts only the pairs that the commit touched;
 /// - where the port was removed and its source is still there, the pair is open with all of the source's lines.

@@ -37,7 +37,7 @@ BaseRecord base_record(Snapshot& base, const RecordedLock& now, const States& to
 /// The units of both sides at the merge base, as if they had been accepted there.
 struct BaseLock {
     LockFile lock;
-    std::map<Print, UnitText> texts;  ///< by fingerprint
+    std::map<Print, UnitText> texts;  ///< by print
     /// Pairs, by their ids, recorded at the merge base, of which one side was gone there already.
     std::set<std::pair<std::string, std::string>> gone_before;
 };

@@ -14,6 +14,9 @@
 // whether a person has settled it for just these texts; nobody has, so the pair counts as drifted, and `check` prints
 //
 //     src/k.cu:15: error: the source gained `t = b * 0.25f - a`; the port did not (and 1 more) [port-differs]
+//
+// Before Verdicts, MacroEdits, UnlikeNames, NewNames and LeftOutWords add what an unedited text came to mean; after all
+// pairs, fold_findings() tells findings of one cause once.
 #include "porttool/judge/judge.h"
 
 #include <algorithm>

@@ -36,7 +36,7 @@ struct Case {
     const std::map<std::string, UnitState>& source;
     const std::map<std::string, UnitState>& target;
     const std::vector<SkippedFile>& skipped;
-    std::function<NormalText(Print)> base_text;        ///< the text of a fingerprint, or an empty one
+    std::function<NormalText(Print)> base_text;        ///< the text of a print, or an empty one
     std::string today;                                 ///< YYYY-MM-DD
     std::vector<PlacedSuppression> suppressions = {};  ///< of both sides
     SameCode same_code = {};                           ///< if compilers are to be asked

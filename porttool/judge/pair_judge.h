@@ -69,8 +69,8 @@ private:
     CompareBudget budget_;
     bool found_one_edit_ = false;
     mutable OwnNames own_names_;      ///< what was asked of it is kept
-    mutable SweptNames swept_names_;  ///< the same
-    mutable WatchedUnits watched_;    ///< the same
+    mutable SweptNames swept_names_;  ///< what was asked of it is kept
+    mutable WatchedUnits watched_;    ///< what was asked of it is kept
     SharedFiles& shared_files_;
     std::map<std::string, std::string> unread_;  ///< files, and why
 };

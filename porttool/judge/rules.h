@@ -15,7 +15,9 @@ struct RuleRow {
     Rule rule;
     Level level;               ///< where [rules] says nothing
     std::string_view meaning;  ///< of a finding of it
-    std::string_view remedy;   ///< `ID` in it becomes the id of the finding's source
+    /// The first `ID` in it becomes the argument that names the finding: the source's id, SOURCE=TARGET where the
+    /// source has several ports, the fingerprint where neither can be pasted. No other word may contain `ID`.
+    std::string_view remedy;
 };
 
 const RuleRow& rule_row(Rule rule);

@@ -15,7 +15,7 @@ namespace porttool {
 
 /// A unit without what is cosmetic: no comments and white space, numbers in one spelling, every controlled statement in
 /// braces, its own name replaced by `@`. Two units that differ only cosmetically have the same normal form.
-/// Whoever changes what comes out raises kNormalForm (read/lock_file.h), or recorded texts look edited.
+/// Whoever changes what comes out raises kNormalForm (porttool/read/lock_file.h), or recorded texts look edited.
 /// `sink` takes it word by word; `token` leads back to the place in the file, and a text lives until the sink returns.
 using NormalSink = std::function<void(std::string_view text, uint32_t token)>;
 void write_normal_form(const ScannedFile& file, const Unit& unit, const NormalSink& sink);

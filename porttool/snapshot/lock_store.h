@@ -40,7 +40,7 @@ struct NewRecord {
     bool clears = false;                     ///< removes texts that no print stands for
 };
 
-/// Writes portmap.lock and, in portmap.base/, the texts behind its fingerprints. A text that is not needed any more
+/// Writes portmap.lock and, in portmap.base/, the texts behind its prints. A text that is not needed any more
 /// stays unless asked otherwise: another branch may have come to need it, and git would merge its removal without a
 /// word. Other files in that folder are never removed. What fails leaves all as it was. Throws CannotDo.
 void store_lock(const Project& project, const NewRecord& record, Disk& disk);
