@@ -156,4 +156,22 @@ bool OwnNames::is_seen_without(std::string_view scope, std::string_view name, co
     return false;
 }
 
+bool OwnNames::is_asked_for_elsewhere(const std::string& macro, Side side) const {
+    if (!facts_.files) return false;
+    const auto has = [&](Side where, bool defines) {
+        const FilesOfSide& files = (*facts_.files)[where];
+        for (size_t i = 0; i < files.size(); ++i) {
+            if (files.text(i).find(macro) == std::string_view::npos) continue;
+            const LexedText& lexed = files.scanned(i).lexed;
+            std::string_view before;
+            for (const Token& token : lexed.tokens) {
+                if (lexed.view(token) == macro && (!defines || before == "define")) return true;
+                before = lexed.view(token);
+            }
+        }
+        return false;
+    };
+    return !has(side, true) && !has(other(side), false);
+}
+
 }  // namespace porttool

@@ -33,6 +33,10 @@ public:
     /// True if a macro that a text uses, defined anywhere on its side, says the name of one of the text's locals.
     bool are_locals_in_macros(const Words& text, Side side) const;
 
+    /// True if no file of the side defines that macro and none of the other side speaks of it: who builds the side asks
+    /// for it, and never for the other one.
+    bool is_asked_for_elsewhere(const std::string& macro, Side side) const;
+
 private:
     using ByName = std::unordered_map<std::string_view, std::vector<const UnitState*>>;
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "porttool/compare/added_branches.h"
 #include "porttool/compare/alike_spots.h"
 #include "porttool/compare/asides.h"
 #include "porttool/compare/common_ground.h"
@@ -474,6 +475,13 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
         return weaken(pair, finding, Level::Note, "it only reaches members through a pointer, or no longer does");
     if (const std::string swept = swept_names_.say(side, texts.before, texts.now); !swept.empty())
         return weaken(pair, finding, Level::Note, swept);
+    if (const auto macros = macros_of_added_branches(texts.before, texts.now);
+        !macros.empty() && std::all_of(macros.begin(), macros.end(), [&](std::string_view macro) {
+            return own_names_.is_asked_for_elsewhere(std::string(macro), side);
+        }))
+        return weaken(
+            pair, finding, Level::Note,
+            fmt::format("it only adds what is built with {}, which the other side never is", *macros.begin()));
     if (structs) {
         if (const auto base = only_changes_base(texts.before, texts.now); !base.empty() && !own_names_.of(side, base))
             return weaken(pair, finding, Level::Note, "it only derives from what is not of the project, or no longer");

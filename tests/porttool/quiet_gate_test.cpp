@@ -563,6 +563,35 @@ TEST(QuietGate, ANameThatBothSidesChangedThroughout) {
     EXPECT_EQ(after(renamed(source, "double"), renamed(port, "double")).size(), 2u) << "a word of the language";
 }
 
+TEST(QuietGate, ABranchForABuildThatTheOtherSideNeverHas) {
+    const std::string source = "void f(float* y, int n) { float sum = at(y, n); sum += y[0] * 0.5f; y[n] = sum; }\n",
+                      old = "sum += y[0] * 0.5f;", fresh = "sum += fetch(y, 0) * 0.25f;";
+    const auto after = [&](const std::string& text, const std::string& port = {}, const std::string& head = {}) {
+        const std::string there = source + port;
+        return loud({{"s/k.cu", head + source}, {"t/k.cpp", there}}, {{"s/k.cu", head + replaced(source, old, text)}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const Loud told = {"source-changed s/k.cu:f"};
+    const auto branch = [](const std::string& opening, const std::string& first, const std::string& second) {
+        return "\n#" + opening + "\n" + first + "\n#else\n" + second + "\n#endif\n";
+    };
+    EXPECT_EQ(after(branch("ifdef USE_IMAGES", fresh, old)), Loud{});
+    EXPECT_EQ(after(branch("if USE_IMAGES", fresh, old)), Loud{});
+    EXPECT_EQ(after(branch("if defined(USE_IMAGES)", fresh, old)), Loud{});
+    EXPECT_EQ(after(branch("ifndef USE_IMAGES", old, fresh)), Loud{});
+    EXPECT_EQ(after(old + "\n#ifdef USE_IMAGES\n" + fresh + "\n#endif\n"), Loud{});
+    EXPECT_EQ(after(branch("ifndef USE_IMAGES", fresh, old)), told) << "what everybody builds is the new text";
+    EXPECT_EQ(after(branch("ifdef USE_IMAGES", old, fresh)), told);
+    EXPECT_EQ(after("\n#ifndef NEVER\n" + fresh + "\n#endif\n" + old), told);
+    EXPECT_EQ(after(branch("ifdef __CUDA_ARCH__", fresh, old)), told) << "a compiler's own";
+    EXPECT_EQ(after(branch("if 1", fresh, old)), told);
+    EXPECT_EQ(after(branch("if n", fresh, old)), told) << "a word of the text";
+    EXPECT_EQ(after(branch("ifdef USE_IMAGES", fresh, old + " sum *= 2.0f;")), told);
+    EXPECT_EQ(after(branch("ifdef USE_IMAGES", fresh, old), "", "#define USE_IMAGES\n"), told) << "it is on";
+    EXPECT_EQ(after(branch("ifdef USE_IMAGES", fresh, old), "#ifdef USE_IMAGES\nint more;\n#endif\n"), told)
+        << "the port may be built with it";
+}
+
 TEST(QuietGate, WaitingMoreOftenForTheOwnDevice) {
     const std::string source =
                           "void f(int* n, const int* p, int k) { cudaMemcpy(n, p, 4, cudaMemcpyDeviceToHost); "

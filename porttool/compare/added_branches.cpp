@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The porttool authors
+// SPDX-License-Identifier: Apache-2.0
+#include "porttool/compare/added_branches.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "porttool/language/words.h"
+#include "porttool/normal/directive_end.h"
+#include "porttool/text/is_one_of.h"
+
+namespace porttool {
+namespace {
+
+/// True for a name that compilers define, or may define, without being told.
+bool is_of_compilers(std::string_view name) {
+    constexpr std::string_view kBegins[] = {"_",   "GL_",   "CL_",  "cl_",    "CUDA",  "HIP",  "SYCL", "ISPC",
+                                            "MSL", "HLSL",  "SPIR", "VULKAN", "WIN",   "FP_",  "GLSL", "METAL",
+                                            "OSL", "linux", "unix", "NDEBUG", "DEBUG", "SLANG"};
+    return std::any_of(std::begin(kBegins), std::end(kBegins),
+                       [&](std::string_view begin) { return name.starts_with(begin); });
+}
+
+/// A text as a compiler reads it to which the macros of some branches mean nothing.
+class BranchReader {
+public:
+    BranchReader(const Words& words, const std::set<std::string_view>& known) : words_(words), known_(known) {}
+
+    /// The words that are left, or nothing where a branch cannot be told.
+    std::optional<std::vector<std::string_view>> run() {
+        for (size_t i = 0; i < words_.size();) {
+            const size_t behind = read_line(i);
+            if (failed_) return std::nullopt;
+            if (behind == i && is_read()) out_.push_back(words_[i]);
+            i = std::max(i + 1, behind);
+        }
+        if (!open_.empty()) return std::nullopt;
+        return std::move(out_);
+    }
+
+    const std::set<std::string_view>& macros() const { return macros_; }
+
+private:
+    /// A branch that began; `is_own`: by a macro that is not known.
+    struct Branch {
+        bool is_own = false, is_read = true;
+    };
+
+    bool is_read() const {
+        return std::all_of(open_.begin(), open_.end(), [](const Branch& branch) { return branch.is_read; });
+    }
+
+    /// Behind the preprocessor's words at `at` if they go with a macro of ours; else `at`.
+    size_t read_line(size_t at) {
+        if (words_[at] != "#" || at + 1 >= words_.size()) return at;
+        const std::string_view kind = words_[at + 1];
+        if (kind == "if" || kind == "ifdef" || kind == "ifndef") return read_opening(at);
+        if (open_.empty()) return at;
+        if (kind == "endif") {
+            const bool is_own = open_.back().is_own;
+            open_.pop_back();
+            return is_own ? at + 2 : at;
+        }
+        if (!kind.starts_with("el") || !open_.back().is_own) return at;
+        failed_ = kind != "else";
+        open_.back().is_read = !open_.back().is_read;
+        return at + 2;
+    }
+
+    size_t read_opening(size_t at) {
+        const size_t end = opening_end(at);
+        const std::string_view macro = end > at ? macro_asked_for(at, end) : std::string_view();
+        const bool is_own = !macro.empty() && !known_.contains(macro);
+        open_.push_back({is_own, !is_own || words_[at + 1] == "ifndef"});
+        if (!is_own) return at;
+        macros_.insert(macro);
+        failed_ = failed_ || is_of_compilers(macro);
+        return end;
+    }
+
+    /// Of `if A` no word tells the end but one that cannot go on with a condition.
+    size_t opening_end(size_t at) const {
+        if (const size_t end = directive_end(words_, at); end != 0 || at + 3 >= words_.size()) return end;
+        const std::string_view next = words_[at + 3];
+        return words_[at + 1] == "if" && (is_word_token(next) || is_one_of(next, {"#", "{", "}"})) ? at + 3 : 0;
+    }
+
+    /// `A` of `ifdef A`, `if A` and `if defined ( A )`; "" for any other condition.
+    std::string_view macro_asked_for(size_t at, size_t end) const {
+        size_t i = at + 2;
+        if (i + 4 == end && words_[i] == "defined" && words_[i + 1] == "(")
+            i += 2;
+        else if (i + 1 != end)
+            return {};
+        return is_word_token(words_[i]) && roles_of(words_[i]) == 0 ? words_[i] : std::string_view();
+    }
+
+    const Words& words_;
+    const std::set<std::string_view>& known_;
+    std::vector<Branch> open_;
+    std::vector<std::string_view> out_;
+    std::set<std::string_view> macros_;
+    bool failed_ = false;
+};
+
+}  // namespace
+
+std::set<std::string_view> macros_of_added_branches(const Words& before, const Words& now) {
+    if (std::count(now.begin(), now.end(), "#") <= std::count(before.begin(), before.end(), "#")) return {};
+    const std::set<std::string_view> known(before.begin(), before.end());
+    BranchReader reader(now, known);
+    const auto left = reader.run();
+    if (!left || !std::equal(left->begin(), left->end(), before.begin(), before.end())) return {};
+    return reader.macros();
+}
+
+}  // namespace porttool
