@@ -3,7 +3,6 @@
 #include "porttool/command/check_cache.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <cstdlib>
 #include <cstring>
@@ -27,14 +26,6 @@ constexpr std::string_view kFirstLine = "porttool check 1\n";
 uint64_t least_bytes_read() {
     const char* named = std::getenv("PORTTOOL_CACHE_FROM");
     return named == nullptr ? kLeastBytesRead : std::strtoull(named, nullptr, 10);
-}
-
-/// What tells one build of the program from another.
-std::string this_program() {
-    struct stat status {};
-    if (::stat("/proc/self/exe", &status) != 0) return {};
-    return fmt::format("{} {} {} {}.{}", status.st_dev, status.st_ino, status.st_size, status.st_mtim.tv_sec,
-                       status.st_mtim.tv_nsec);
 }
 
 std::string sized(const std::string& text) { return fmt::format("{}\n", text.size()) + text; }

@@ -4,6 +4,7 @@
 #include "porttool/history/newest_blocks.h"
 #include "porttool/history/timeline.h"
 #include "porttool/read/blob_cache.h"
+#include "porttool/read/user_cache.h"
 #include "porttool/report/history_report.h"
 #include "porttool/snapshot/past.h"
 #include "porttool/text/date.h"
@@ -33,13 +34,14 @@ Outcome run_history(const Options& options, Workplace& place) {
     require_format(options.format, {"text", "html", "json", "csv"});
     const Past past = open_past(options, place);
     const TreePath kept{past.git->own_folder(), "porttool/history.cache", Links::None};
+    const bool keeps = !options.no_cache && !this_program().empty();
     BlobCache cache;
-    if (!options.no_cache)
+    if (keeps)
         if (const FileText file = place.disk.read(kept, kLargestCache); file.error.empty())
             cache = BlobCache(file.bytes);
     History history = history_of(past, options.since, cache, place);
     if (options.format == "json") history.newest = newest_blocks(past, history, place.disk);
-    if (!options.no_cache && cache.changed())
+    if (keeps && cache.changed())
         if (const std::string failure = place.disk.write(kept, cache.file(kLargestCache / 2));
             !failure.empty() && options.verbose)
             place.err << "porttool: " << terminal_text(join_path(kept.root, kept.path)) << ": " << failure

@@ -18,8 +18,10 @@ void declare_common(Declare declare, Options& options) {
     declare.text("--config", options.config, "FILE", "The map to use instead of the nearest portmap.toml")
         .not_empty("a file");
     declare.text("--format", options.format, "FORMAT",
-                 "How to print: text, json; check also sarif, junit, github, gitlab, markdown, html; report also html, "
-                 "markdown, csv; history also html, csv; effort also toml; audit also html, markdown");
+                 "How to print: text, json (not accept, defer, ignore, explain, lsp); check also sarif, junit, github, "
+                 "gitlab, markdown, html; "
+                 "report also html, markdown, csv; history also html, csv; effort also csv, toml; sync also patch; "
+                 "audit also html, markdown");
     declare.text("-o,--output", options.output, "FILE", "Write there instead of to stdout; - is stdout")
         .not_empty("a file; - is stdout");
     declare.choice("--color", options.color, {"auto", "always", "never"}, "auto, always or never");

@@ -9,11 +9,12 @@ namespace {
 
 /// In the order of the enum.
 constexpr std::array<RuleRow, kRuleNames.size()> kRules = {{
-    {Rule::SourceChanged, Level::Error, "The source changed since both sides were last in step, and its port did not.",
+    {Rule::SourceChanged, Level::Error,
+     "The source changed, or what its words stand for did, since both sides were last in step, and its port did not.",
      "Port the change; if it needs no port, run: porttool accept ID --reason TEXT"},
     {Rule::PortDiffers, Level::Error, "Both sides changed, but the two edits are not the same after translation.",
      "Bring the port in line; if it is right as it is, run: porttool accept ID --reason TEXT"},
-    {Rule::TargetChanged, Level::Warning, "The port changed and its source did not.",
+    {Rule::TargetChanged, Level::Warning, "The port changed, or what its words stand for did, and its source did not.",
      "If the change belongs to the port alone, run: porttool accept ID; else carry it to the source"},
     {Rule::Unported, Level::Error, "A new unit has no counterpart, nor anything on the other side that looks like one.",
      "Port it and run: porttool accept SOURCE=TARGET; or: porttool ignore ID --reason TEXT"},

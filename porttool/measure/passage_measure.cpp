@@ -124,7 +124,7 @@ void PassageMeasurer::use_dialect(const std::vector<std::pair<std::string, std::
 
 const PassageMeasure& PassageMeasurer::measure(const std::string& name, const PartedPassage& source,
                                                const PartedPassage& target) {
-    // Another word for another meaning of the figures.
+    // Lines that another build kept are not read (BlobCache); "passages" keeps these apart from other entries.
     const std::string key = BlobCache::key({"passages", contents_of(source), contents_of(target), dialect_key_});
     if (const auto known = known_.find(key); known != known_.end()) return known->second;
     std::optional<PassageMeasure> measured;

@@ -2,18 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/read/blob_cache.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <vector>
 
+#include "porttool/read/lock_file.h"
+#include "porttool/read/user_cache.h"
 #include "porttool/text/fingerprint.h"
 
 namespace porttool {
 namespace {
 
-/// Another number for another meaning of any entry, as when the scanner or a metric changes.
-constexpr std::string_view kHeader = "porttool-cache 2";
 constexpr size_t kSumDigits = 16, kKeyDigits = 32;
 
 std::string digits(uint64_t number) {
@@ -21,6 +23,9 @@ std::string digits(uint64_t number) {
     std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(number));
     return text.data();
 }
+
+/// What an entry means hangs on the whole program: scanner, normal form, comparison and metrics.
+std::string header() { return fmt::format("porttool-cache 3 normal-form {} program {}", kNormalForm, this_program()); }
 
 std::string line_of(const std::string& key, const std::string& value) {
     const std::string text = key + " " + value;
@@ -32,7 +37,7 @@ std::string line_of(const std::string& key, const std::string& value) {
 BlobCache::BlobCache(const std::string& file) {
     const std::string_view text = file;
     size_t first = text.find('\n');
-    if (first == std::string_view::npos || text.substr(0, first) != kHeader) return;
+    if (first == std::string_view::npos || text.substr(0, first) != header()) return;
     for (++first; first < text.size();) {
         const size_t end = text.find('\n', first);
         if (end == std::string_view::npos) return;  // cut off
@@ -75,7 +80,7 @@ std::string BlobCache::file(size_t limit) const {
     for (const auto& [key, value] : entries_)
         if (size <= limit || used_.contains(key)) keys.push_back(&key);
     std::sort(keys.begin(), keys.end(), [](const std::string* a, const std::string* b) { return *a < *b; });
-    std::string out = std::string(kHeader) + "\n";
+    std::string out = header() + "\n";
     for (const std::string* key : keys) out += line_of(*key, entries_.at(*key));
     return out;
 }

@@ -12,8 +12,8 @@
 namespace porttool {
 
 /// What was computed from contents that never change, by a hash of these contents: a cache that may be deleted at any
-/// time. Its file has one line an entry, each with a checksum; a line that is damaged, and a file of another version,
-/// count as not there. Several threads may find and put at once.
+/// time. Its file has one line an entry, each with a checksum; a line that is damaged, and a file of another build
+/// of the program or of another normal form, count as not there. Several threads may find and put at once.
 class BlobCache {
 public:
     BlobCache() = default;

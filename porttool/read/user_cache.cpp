@@ -3,6 +3,7 @@
 #include "porttool/read/user_cache.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -35,6 +36,13 @@ bool lies_in(const std::string& folder, const std::string& repository) {
 }
 
 }  // namespace
+
+std::string this_program() {
+    struct stat status {};
+    if (::stat("/proc/self/exe", &status) != 0) return {};
+    return fmt::format("{} {} {} {}.{}", status.st_dev, status.st_ino, status.st_size, status.st_mtim.tv_sec,
+                       status.st_mtim.tv_nsec);
+}
 
 std::string xdg_cache_home() {
     const char* named = std::getenv("XDG_CACHE_HOME");

@@ -8,6 +8,10 @@
 
 namespace porttool {
 
+/// What tells one build of the program from another; "" where nothing does. What was computed by another build is not
+/// taken from a cache.
+std::string this_program();
+
 /// The user's folder for what can be made anew (XDG Base Directory Specification), or "" where the environment names
 /// none by an absolute path.
 std::string xdg_cache_home();

@@ -497,8 +497,21 @@ TEST(BlobCache, GivesBackWhatWasPutAndForgetsWhatIsDamaged) {
     BlobCache damaged(replaced(file, "first value", "other value"));
     EXPECT_EQ(damaged.find(one), nullptr);
     EXPECT_NE(damaged.find(two), nullptr);
-    EXPECT_EQ(BlobCache(replaced(file, "porttool-cache 2", "porttool-cache 0")).find(two), nullptr);
     EXPECT_EQ(BlobCache("garbage").find(one), nullptr);
+}
+
+TEST(BlobCache, IsOfOneBuildAndOneNormalForm) {
+    BlobCache cache;
+    const std::string key = BlobCache::key({"a"});
+    cache.put(key, "value");
+    const std::string file = cache.file(1000), entries = file.substr(file.find('\n'));
+    const std::string form = "normal-form " + std::to_string(kNormalForm), program = "program " + this_program();
+    ASSERT_FALSE(this_program().empty());
+    EXPECT_NE(BlobCache(file).find(key), nullptr);
+    for (const std::string& other :
+         {replaced(file, form, "normal-form 2"), replaced(file, program, "program 1 2 3 4.5"),
+          replaced(file, "porttool-cache 3", "porttool-cache 0"), "porttool-cache 2" + entries})
+        EXPECT_EQ(BlobCache(other).find(key), nullptr) << other;
 }
 
 TEST(BlobCache, KeepsWhatWasUsedWhereThereIsTooMuch) {
