@@ -3,6 +3,9 @@
 #include "porttool/compare/hints.h"
 
 #include <algorithm>
+#include <cctype>
+#include <initializer_list>
+#include <string>
 
 #include "porttool/compare/brackets.h"
 #include "porttool/language/words.h"
@@ -112,11 +115,38 @@ private:
                                    "shared", "reduction", "default", "copyin", "proc_bind", "linear", "aligned",
                                    "safelen", "simdlen", "nontemporal", "allocate", "order"});
     }
-    /// How many threads share the turns of a `loop` is a matter of speed, as their schedule is; but one thread alone
-    /// hides a race, and what stands in a `parallel` without a loop is done by each.
     bool only_schedules(size_t i, bool loop) const {
-        if (word(i) == "num_threads") return loop && !(word(i + 2) == "1" && word(i + 3) == ")");
+        if (word(i) == "num_threads") return loop && !knows_its_thread() && is_count_of_threads(i + 2);
         return is_one_of(word(i), {"schedule", "proc_bind", "simdlen", "nontemporal"});
+    }
+
+    /// How many threads share the turns of a loop is a matter of speed, as their schedule is; but one thread alone
+    /// hides a race. True for a number from 2 on, and for what is asked of the machine: `omp_get_max_threads()`.
+    bool is_count_of_threads(size_t i) const {
+        const bool is_call = is_word_token(word(i)) && word(i + 1) == "(" && word(i + 2) == ")" && word(i + 3) == ")";
+        if (is_call) return speaks_of(word(i), {"thread", "core", "cpu", "proc"});
+        const size_t digits = word(i).find_first_not_of("0123456789");
+        const std::string_view number = word(i).substr(0, digits), suffix = word(i).substr(number.size());
+        return word(i + 1) == ")" && !number.empty() && suffix.find_first_not_of("uUlL") == suffix.npos &&
+               number.front() != '0' && number != "1";
+    }
+
+    /// True if the text seems to ask elsewhere which thread does a turn: `partial[ThreadIndex()]`.
+    bool knows_its_thread() const {
+        for (size_t i = 0; i < words_.size(); ++i) {
+            if (words_[i] == "num_threads")
+                i = std::max(i + 1, after_group(i + 1)) - 1;
+            else if (is_word_token(words_[i]) && speaks_of(words_[i], {"thread", "rank", "tid", "worker"}))
+                return true;
+        }
+        return false;
+    }
+
+    static bool speaks_of(std::string_view name, std::initializer_list<std::string_view> parts) {
+        std::string low(name);
+        std::transform(low.begin(), low.end(), low.begin(), [](unsigned char c) { return std::tolower(c); });
+        return std::any_of(parts.begin(), parts.end(),
+                           [&](std::string_view part) { return low.find(part) != std::string::npos; });
     }
 
     Words words_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <unordered_map>
 
 #include "porttool/match/body_traits.h"
@@ -203,14 +204,26 @@ private:
         }
     }
 
+    /// `op` of `op_scale` and of `opScale`.
+    static std::string_view first_word(std::string_view name) {
+        size_t end = 1;
+        while (end < name.size() && name[end] != '_' &&
+               !(std::isupper(static_cast<unsigned char>(name[end])) != 0 &&
+                 std::islower(static_cast<unsigned char>(name[end - 1])) != 0))
+            ++end;
+        return name.substr(0, end);
+    }
+
     /// Where most of what stood beside it has no port, one more without is no news: in its file, or for what came with
     /// a file of its own, in the folder. A kernel is held against kernels alone: of the many that its folder has,
-    /// fewer than a quarter may have one, and of those of its file fewer than half.
+    /// fewer than a quarter may have one, and of those of its file, and of those of its first word there (`op_...`),
+    /// fewer than half.
     void find_barren_places() {
         struct Place {
             size_t watched = 0, known = 0;
         };
         std::map<std::string_view, Place> files, folders, kernels, kernels_in_files;
+        std::map<std::pair<std::string_view, std::string_view>, Place> families;
         const auto folder = [](const UnitState& unit) {
             const size_t end = unit.file.rfind('/');
             return end == std::string::npos ? std::string_view() : std::string_view(unit.file).substr(0, end);
@@ -226,13 +239,16 @@ private:
             if (unit.kind != UnitKind::Kernel) continue;
             count(kernels[folder(unit)], unit);
             count(kernels_in_files[unit.file], unit);
+            count(families[{folder(unit), first_word(leaf(unit))}], unit);
         }
         constexpr size_t kLeast = 4;  // units that tell a manner
         constexpr size_t kManyKernels = 32;
         for (const UnitState* unit : units_.unported) {
             if (unit->kind == UnitKind::Kernel) {
-                const Place &place = kernels[folder(*unit)], &in_file = kernels_in_files[unit->file];
-                const bool has_company = in_file.watched > 0 && 2 * in_file.watched >= in_file.known;
+                const Place& place = kernels[folder(*unit)];
+                const auto has_ports = [](const Place& one) { return one.watched > 0 && 2 * one.watched >= one.known; };
+                const bool has_company = has_ports(kernels_in_files[unit->file]) ||
+                                         has_ports(families[{folder(*unit), first_word(leaf(*unit))}]);
                 if (place.known >= kManyKernels && 4 * place.watched < place.known && !has_company)
                     told_.emplace(unit, fmt::format("{} of the {} kernels that its folder had before have none either",
                                                     place.known - place.watched, place.known));

@@ -29,6 +29,29 @@ std::set<std::pair<std::string, std::string>> exchanged_names(const Words& befor
     return out;
 }
 
+/// Another function is another thing, whoever else calls it.
+bool are_no_calls(const Words& now, const std::set<std::pair<std::string, std::string>>& names) {
+    for (size_t i = 0; i + 1 < now.size(); ++i)
+        if (now[i + 1] == "(" &&
+            std::any_of(names.begin(), names.end(), [&](const auto& name) { return name.second == now[i]; }))
+            return false;
+    return true;
+}
+
+/// True for `typedef double real ;` and `using real = half ;`: another name of one thing, of which nobody knows whether
+/// it is what the old name was.
+bool is_bare_alias(const ScannedFile& file, const DeclaredWord& said) {
+    size_t words = 0;
+    bool is_made = false;
+    for (uint32_t i = said.tokens.first; i < said.tokens.end; ++i) {
+        const std::string_view word = file.lexed.view(file.lexed.tokens[i]);
+        words += is_word_token(word) ? 1 : 0;
+        is_made = is_made || word == "<" || word == "struct" || word == "class";
+    }
+    constexpr size_t kBare = 4;  // `typedef unsigned long word`
+    return !is_made && words <= kBare;
+}
+
 bool has_word(std::string_view text, std::string_view word) {
     const auto is_part = [](char c) { return is_word_token(std::string_view(&c, 1)) || (c >= '0' && c <= '9'); };
     for (size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
@@ -69,7 +92,8 @@ std::string SweptNames::say(Side side, const Words& before, const Words& now) {
     if (!facts_.files || names.empty()) return {};
     if (std::all_of(names.begin(), names.end(), [&](const Name& name) { return is_swept_type(side, name); }))
         return "it only gives a type its new name, as all of that side does";
-    if (std::all_of(names.begin(), names.end(), [&](const Name& name) { return is_swept_on_both(name); }))
+    if (are_no_calls(now, names) &&
+        std::all_of(names.begin(), names.end(), [&](const Name& name) { return is_swept_on_both(name); }))
         return "it only gives things the new names that both sides gave them throughout";
     return {};
 }
@@ -86,12 +110,21 @@ bool SweptNames::is_swept_on_both(const Name& name) {
     const size_t here = times(Side::Source, name).in_all, there = times(Side::Target, name).in_all;
     if (here == 0 || there == 0 || here + there <= kSeveral) return false;
     if (roles_of(name.first) != 0 || roles_of(name.second) != 0) return false;
+    if (!is_one_to_one(Side::Source, name) || !is_one_to_one(Side::Target, name)) return false;
     if (of_both_.size() >= kMostNames && !of_both_.contains(name)) return false;
     const auto [known, is_first] = of_both_.try_emplace(name, false);
     if (is_first)
         known->second = std::all_of(std::begin(kBothSides), std::end(kBothSides),
                                     [&](Side side) { return is_gone(side, name.first) && is_new(side, name.second); });
     return known->second;
+}
+
+/// True if the first name gave way to the second alone, and the second took the place of the first alone.
+bool SweptNames::is_one_to_one(Side side, const Name& name) {
+    const auto& all = exchanges(side);
+    return std::none_of(all.begin(), all.end(), [&](const auto& one) {
+        return (one.first.first == name.first) != (one.first.second == name.second);
+    });
 }
 
 bool SweptNames::is_gone(Side side, const std::string& name) const {
@@ -110,7 +143,8 @@ bool SweptNames::is_type(Side side, const std::string& name) const {
         if (!has_word(files.text(i), name)) continue;
         const std::vector<DeclaredWord> said = declared_words(files.scanned(i));
         if (std::any_of(said.begin(), said.end(), [&](const DeclaredWord& one) {
-                return one.kind == DeclaredWord::Kind::Type && word_of(files.scanned(i), one) == name;
+                return one.kind == DeclaredWord::Kind::Type && word_of(files.scanned(i), one) == name &&
+                       !is_bare_alias(files.scanned(i), one);
             }))
             return true;
     }

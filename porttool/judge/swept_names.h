@@ -13,7 +13,7 @@ namespace porttool {
 
 /// Names that gave way to others throughout: the old one stands in no file of the side any more, the new one in no unit
 /// that is as it was recorded. A type, where several watched units were edited by nothing else (of one that is a unit
-/// of a pair RenamedNames knows it); anything, where both sides gave it the same new name.
+/// of a pair RenamedNames knows it); a member, where both sides gave it the same new name and no other name is in it.
 ///
 ///     using rgbaf = tuple4<float>;     ->     using RgbaF = tuple4<float>;
 ///     rgbaf sum = rgbaf();             ->     RgbaF sum = RgbaF();             in two functions at least
@@ -34,6 +34,7 @@ private:
 
     bool is_swept_type(Side side, const Name& name);
     bool is_swept_on_both(const Name& name);
+    bool is_one_to_one(Side side, const Name& name);
     bool is_gone(Side side, const std::string& name) const;
     bool is_type(Side side, const std::string& name) const;
     bool is_new(Side side, const std::string& name) const;

@@ -530,6 +530,7 @@ TEST(QuietGate, ATypeThatGotAnotherNameThroughout) {
     EXPECT_GT(after("using RgbaF = tuple4<half>;\n" + names + renamed(f + g, "RgbaF") + h), 0u);
     EXPECT_GT(after("using rgbad = tuple4<double>;\n" + renamed(f + g, "rgbad") + h), 0u);
     EXPECT_GT(after("using rgbad = tuple4<double>;\n" + renamed(f + g, "RgbaF") + h), 0u);
+    EXPECT_GT(after("typedef double RgbaF;\n" + renamed(f + g, "RgbaF") + h), 0u) << "another kind of number, perhaps";
     EXPECT_GT(after(renamed(names + replaced(f, "* x", "/ x") + g, "RgbaF") + h), 0u);
     EXPECT_GT(after(renamed(names + f, "RgbaF") + replaced(renamed(g, "RgbaF"), "- y", "+ y") + h), 0u);
 }
@@ -561,6 +562,18 @@ TEST(QuietGate, ANameThatBothSidesChangedThroughout) {
     EXPECT_EQ(after(sources, ports, "float own(const L& p) { return p.cj4[0]; }\n").size(), 2u);
     EXPECT_EQ(after(replaced(sources, "+ first", "- first"), ports), Loud{"source-changed s/k.cl:g"});
     EXPECT_EQ(after(renamed(source, "double"), renamed(port, "double")).size(), 2u) << "a word of the language";
+    // One name became two, each side's in another place.
+    EXPECT_EQ(after(replaced(sources, "p.packed", "p.rows"), replaced(ports, "row = p.packed", "row = p.rows")).size(),
+              3u);
+    const auto calling = [](const std::string& name, const std::string& own) {
+        return "float f(L p, int i) { return " + name + "(p, i) * 2.0f; }\nfloat g(L p, int i) { return " + own +
+               "(p, i) + first(p, i); }\n";
+    };
+    EXPECT_EQ(loud({{"s/k.cl", calling("near", "near")}, {"t/k.cpp", calling("near", "at")}},
+                   {{"s/k.cl", calling("far", "far")}, {"t/k.cpp", calling("far", "at")}},
+                   {"s/k.cl:f=t/k.cpp:f", "s/k.cl:g=t/k.cpp:g"}),
+              Loud{"source-changed s/k.cl:g"})
+        << "another function";
 }
 
 TEST(QuietGate, ABranchForABuildThatTheOtherSideNeverHas) {
@@ -743,6 +756,18 @@ TEST(QuietGate, AKernelOfAFolderWithFewPorts) {
     EXPECT_EQ(after(40, 9, "s/k.cu"), Loud{"unported s/k.cu:fresh"}) << "those beside it have ports";
     EXPECT_EQ(after(40, 10), told) << "a quarter of them has one";
     EXPECT_EQ(after(17, 1), told) << "so few tell nothing";
+
+    Texts texts;
+    std::vector<std::string> pairs;
+    for (int i = 0; i < 40; ++i) {
+        const std::string name = (i < 4 ? "op_" : "bench_") + std::to_string(i);
+        texts[i < 4 ? "s/k.cu" : "s/alone.cu"] += kernel(name);
+        if (i >= 4) continue;
+        texts["t/k.cpp"] += kernel(name);
+        pairs.push_back("s/k.cu:" + name + "=t/k.cpp:" + name);
+    }
+    EXPECT_EQ(loud(texts, {{"s/new.cu", kernel("bench_fresh")}}, pairs), Loud{});
+    EXPECT_EQ(loud(texts, {{"s/new.cu", kernel("op_fresh")}}, pairs), Loud{"unported s/new.cu:op_fresh"});
 }
 
 TEST(QuietGate, HowThePortDrivesARuntimeOfItsOwn) {
