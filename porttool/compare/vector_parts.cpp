@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "porttool/language/abilities.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 
@@ -116,12 +117,6 @@ bool is_steady(const Text& argument, bool may_change) {
     });
 }
 
-/// True for languages whose vectors have names for colours, too, and nobody else's type bears a vector's name.
-bool has_swizzles(Language language) {
-    return language == Language::OpenCl || language == Language::Glsl || language == Language::Metal ||
-           language == Language::Hlsl || language == Language::Slang;
-}
-
 /// True for what declares nothing though a name follows it.
 bool is_no_type(std::string_view word) {
     return is_one_of(word, {"return", "else", "case", "goto", "in", "out", "inout", "const", "do", "discard"});
@@ -143,7 +138,7 @@ void note_vectors(const Words& text, Language language, VectorNames& names) {
         const bool is_declared =
             is_word_token(text[i + 1]) && is_one_of(text[i + 2], {",", ")", ";", "="}) && is_vector_type(text[i]);
         const bool of_library = i > 1 && text[i - 1] == "::" && text[i - 2] == "glm";
-        if (is_declared && (of_library || has_swizzles(language))) names.insert(text[i + 1]);
+        if (is_declared && (of_library || abilities_of(language).vectors)) names.insert(text[i + 1]);
     }
 }
 
@@ -157,7 +152,7 @@ void write_plain_components(Words& statement, const VectorNames& names) {
     }
 }
 
-bool VectorSpelling::brings_vectors() const { return has_swizzles(language_); }
+bool VectorSpelling::brings_vectors() const { return abilities_of(language_).vectors; }
 
 void VectorSpelling::note(const Words& text) {
     for (size_t i = 0; i + 2 < text.size(); ++i) {

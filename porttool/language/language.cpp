@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "porttool/language/abilities.h"
 #include "porttool/language/word_list.h"
 #include "porttool/text/letters.h"
 
@@ -48,12 +49,57 @@ constexpr std::array kLanguages = {
     LanguageTraits{.language = Language::Unknown, .name = "unknown", .blocks = kAfterLayout},
 };
 
-constexpr bool stands_in_order() {
-    for (size_t i = 0; i < kLanguages.size(); ++i)
-        if (static_cast<size_t>(kLanguages[i].language) != i) return false;
-    return kLanguages.size() == static_cast<size_t>(Language::Unknown) + 1;
+// One row a language, in the same order.
+constexpr std::array kAbilities = {
+    LanguageAbilities{.language = Language::C, .c_libraries = true, .pointers = true, .macros = true},
+    LanguageAbilities{.language = Language::Cpp,
+                      .std_library = true,
+                      .c_libraries = true,
+                      .references = true,
+                      .pointers = true,
+                      .macros = true},
+    LanguageAbilities{.language = Language::Cuda,
+                      .std_library = true,
+                      .c_libraries = true,
+                      .references = true,
+                      .pointers = true,
+                      .macros = true},
+    LanguageAbilities{.language = Language::Hip,
+                      .std_library = true,
+                      .c_libraries = true,
+                      .references = true,
+                      .pointers = true,
+                      .macros = true},
+    LanguageAbilities{.language = Language::Sycl,
+                      .std_library = true,
+                      .c_libraries = true,
+                      .references = true,
+                      .pointers = true,
+                      .macros = true},
+    LanguageAbilities{
+        .language = Language::OpenCl, .pointers = true, .macros = true, .vectors = true, .is_of_devices = true},
+    LanguageAbilities{.language = Language::Glsl, .macros = true, .vectors = true, .is_of_devices = true},
+    LanguageAbilities{.language = Language::Hlsl, .macros = true, .vectors = true, .is_of_devices = true},
+    LanguageAbilities{.language = Language::Metal,
+                      .references = true,
+                      .pointers = true,
+                      .macros = true,
+                      .vectors = true,
+                      .is_of_devices = true},
+    LanguageAbilities{.language = Language::Slang, .macros = true, .vectors = true, .is_of_devices = true},
+    LanguageAbilities{.language = Language::Ispc, .pointers = true, .macros = true},
+    // Its own are called `color` and `point`; a `vector2` there is a header's struct.
+    LanguageAbilities{.language = Language::Osl, .macros = true, .is_of_devices = true},
+    LanguageAbilities{.language = Language::Unknown},
+};
+
+template <class Rows>
+constexpr bool stand_in_order(const Rows& rows) {
+    for (size_t i = 0; i < rows.size(); ++i)
+        if (static_cast<size_t>(rows[i].language) != i) return false;
+    return rows.size() == static_cast<size_t>(Language::Unknown) + 1;
 }
-static_assert(stands_in_order());
+static_assert(stand_in_order(kLanguages) && stand_in_order(kAbilities));
 
 bool contains_any(std::string_view text, std::initializer_list<std::string_view> words) {
     return std::any_of(words.begin(), words.end(),
@@ -63,6 +109,8 @@ bool contains_any(std::string_view text, std::initializer_list<std::string_view>
 }  // namespace
 
 const LanguageTraits& traits_of(Language language) { return kLanguages[static_cast<size_t>(language)]; }
+
+const LanguageAbilities& abilities_of(Language language) { return kAbilities[static_cast<size_t>(language)]; }
 
 Language language_of_path(std::string_view path) {
     const std::string_view name = path.substr(path.find_last_of('/') + 1);

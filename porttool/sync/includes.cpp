@@ -7,15 +7,11 @@
 #include <optional>
 #include <set>
 
+#include "porttool/language/abilities.h"
 #include "porttool/sync/unit_extent.h"
 
 namespace porttool {
 namespace {
-
-bool is_cpp(Language language) {
-    return language == Language::Cpp || language == Language::Cuda || language == Language::Hip ||
-           language == Language::Sycl;
-}
 
 /// The headers of C, which C++ has under both names, and those of C++ alone.
 const std::set<std::string_view> kOfC = {"assert", "ctype",  "errno",  "float",  "inttypes", "limits", "locale",
@@ -108,10 +104,10 @@ std::string standard_include(const std::string& what, Language there) {
     if (what.size() < 3 || what.front() != '<') return {};
     const std::string meaning = meaning_of_include(what), name = meaning.substr(1, meaning.size() - 2);
     if (meaning.starts_with("<c") && kOfC.contains(name.substr(1))) {
-        if (is_cpp(there)) return what;
+        if (abilities_of(there).std_library) return what;
         return there == Language::C ? "<" + name.substr(1) + ".h>" : std::string();
     }
-    return kOfCpp.contains(name) && is_cpp(there) ? what : std::string();
+    return kOfCpp.contains(name) && abilities_of(there).std_library ? what : std::string();
 }
 
 std::vector<TextEdit> port_includes(const ScannedFile& before, const ScannedFile& now, const ScannedFile& port,

@@ -341,7 +341,7 @@ bool KnownWords::is_from_elsewhere(std::string_view word) const {
 }
 
 bool KnownWords::marks_reals() const {
-    if (!is_of_devices(to_.edited.language)) return false;
+    if (!there().is_of_devices) return false;
     size_t marked = 0;
     for (const Token& token : to_.edited.lexed.tokens) {
         if (token.kind != TokenKind::Number) continue;

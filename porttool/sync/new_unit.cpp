@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "porttool/language/abilities.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/normal/unit_state.h"
@@ -15,16 +16,6 @@
 
 namespace porttool {
 namespace {
-
-bool speaks_cpp(Language language) {
-    return language == Language::Cpp || language == Language::Cuda || language == Language::Hip ||
-           language == Language::Sycl || language == Language::Metal;
-}
-
-bool has_pointers(Language language) {
-    return speaks_cpp(language) || language == Language::C || language == Language::OpenCl ||
-           language == Language::Ispc;
-}
 
 std::string with_name(const std::string& text, const std::string& name) {
     const size_t at = text.find('@');
@@ -154,7 +145,7 @@ private:
 
     std::string template_prefix(const HeadParts& head) {
         if (head.template_prefix.empty()) return {};
-        if (!speaks_cpp(here_) || !speaks_cpp(there_)) fail("it is a template");
+        if (!abilities_of(here_).references || !abilities_of(there_).references) fail("it is a template");
         const Token &last = lexed_.tokens[head.template_prefix.end - 1],
                     &next = lexed_.tokens[head.template_prefix.end];
         const size_t end = last.offset + last.length;
@@ -221,7 +212,7 @@ private:
         for (const std::string& word : source.words) {
             const bool references = word == "&" || word == "&&";
             const bool directions = word == "in" || word == "out" || word == "inout";
-            if ((references && !speaks_cpp(there_)) || (word == "*" && !has_pointers(there_)) ||
+            if ((references && !abilities_of(there_).references) || (word == "*" && !abilities_of(there_).pointers) ||
                 (directions && here_ != there_))
                 fail("no head beside it tells how the port says `" + with_name(source.text, source.name) + "`");
         }
@@ -240,7 +231,7 @@ private:
     }
 
     std::string macro() {
-        if (!has_pointers(there_) && there_ != Language::Glsl && there_ != Language::Hlsl) fail("it is a macro");
+        if (!abilities_of(there_).macros) fail("it is a macro");
         const size_t name = lexed_.tokens[source_.unit.name_token].offset;
         return lexed_.text.substr(extent_.code, name - extent_.code) +
                carried({source_.unit.name_token, extent_.tokens.end});
