@@ -3,6 +3,7 @@
 #include "porttool/compare/own_words.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <set>
 #include <string>
@@ -16,6 +17,8 @@
 #include "porttool/compare/side_edit.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/statements.h"
+#include "porttool/text/is_one_of.h"
+#include "porttool/value_graph/pure_calls.h"
 
 namespace porttool {
 namespace {
@@ -23,6 +26,7 @@ namespace {
 constexpr size_t kMostBeside = 24'000;  // of all texts
 constexpr size_t kTwins = 10;           // texts of which less than one word in so many differs are held to every word
 
+using Text = std::vector<std::string>;
 using Counts = std::map<std::string_view, size_t>;
 
 /// What stands alone, by common word.
@@ -37,11 +41,12 @@ std::map<std::string, size_t> in_common(const Counts& alone, const Dialect& dial
 
 /// The two texts of a pair beside each other, before and now.
 struct Distance {
-    size_t unlike;                                ///< names, numbers and operators of both
-    BySide<std::map<std::string, size_t>> alone;  ///< numbers and operators that have no like in the other text
-    std::set<size_t> covered;                     ///< the target's words that have their like in the source
-    BySide<std::vector<size_t>> misplaced;        ///< what stands where another word should
-    std::vector<size_t> crossed;                  ///< the source's names that stand for another one elsewhere
+    size_t unlike;                                       ///< names, numbers and operators of both
+    BySide<std::map<std::string, size_t>> alone;         ///< numbers and operators that have no like in the other text
+    std::set<size_t> covered;                            ///< the target's words that have their like in the source
+    BySide<std::vector<size_t>> misplaced;               ///< what stands where another word should
+    std::vector<size_t> crossed;                         ///< the source's names that stand for another one elsewhere
+    std::vector<std::pair<size_t, size_t>> other_names;  ///< of both, that stand where the other has another
 
     Distance(const std::vector<std::string>& source, const std::vector<std::string>& target, const Dialect& dialect) {
         WordKeys keys(dialect);
@@ -57,6 +62,7 @@ private:
         covered = laid.covered();
         misplaced = laid.misplaced();
         crossed = laid.crossed();
+        other_names = laid.other_names();
         alone = {in_common(laid.alone(), dialect), in_common(laid.alone_there(), dialect)};
     }
 };
@@ -156,6 +162,48 @@ bool brings_wrong_word(const SideEdit& edit, const std::vector<size_t>& misplace
     return std::any_of(misplaced.begin(), misplaced.end(), [&](size_t i) { return gained[i]; });
 }
 
+/// True if one of two functions may do with another argument, or with others beside it, what the other does.
+bool may_stand_for(std::string_view a, std::string_view b) {
+    if (is_one_of(b, {"clamp", "saturate"})) std::swap(a, b);
+    if (is_one_of(a, {"clamp", "saturate"})) return is_one_of(b, {"clamp", "saturate", "min", "max"});
+    const auto both_in = [&](std::initializer_list<std::string_view> list) {
+        return is_one_of(a, list) && is_one_of(b, list);
+    };
+    return both_in({"sqrt", "inversesqrt", "length", "distance", "normalize", "dot", "hypot"}) ||
+           both_in({"exp", "exp2", "expm1", "pow"}) || both_in({"log", "log2", "log10", "log1p"}) ||
+           both_in({"round", "rint", "floor"}) || both_in({"fabs", "abs"}) || both_in({"mod", "fmod"});
+}
+
+/// True at two calls of functions of mathematics that give something else: `floor ( x )` beside `ceil ( x )`.
+bool call_other_mathematics(const Text& here, size_t i, const Text& there, size_t k, const Dialect& dialect) {
+    const auto is_called = [](const Text& text, size_t at) {
+        return at + 1 < text.size() && text[at + 1] == "(" &&
+               (at == 0 || !is_one_of(text[at - 1], {".", "->"}));  // a method is of its class
+    };
+    if (!is_called(here, i) || !is_called(there, k)) return false;
+    const PureCall a = pure_call(here[i], dialect), b = pure_call(there[k], dialect);
+    return a.is_pure && b.is_pure && a.name != b.name && !may_stand_for(a.name, b.name);
+}
+
+/// True if an edit brought another function of mathematics than the other text calls there, or a member where the other
+/// text has one that both had before. Such a name is wrong although the other text does not have it at all.
+bool brings_wrong_name(const SideEdit& source, const SideEdit& target, const Distance& today, const Dialect& dialect) {
+    if (today.other_names.empty()) return false;
+    const std::vector<bool> here = places_gained(source), there = places_gained(target);
+    const auto is_member = [](const Text& text, size_t i) {
+        return i > 0 && is_one_of(text[i - 1], {".", "->"}) && (i + 1 == text.size() || text[i + 1] != "(");
+    };
+    const auto agreed = [&](const std::string& name) {
+        return times_in(source.had, name) > 0 && times_in(target.had, name) > 0;
+    };
+    return std::any_of(today.other_names.begin(), today.other_names.end(), [&](const auto& each) {
+        const auto [i, k] = each;
+        if (!here[i] && !there[k]) return false;
+        if (call_other_mathematics(source.now, i, target.now, k, dialect)) return true;
+        return is_member(source.now, i) && is_member(target.now, k) && (agreed(source.now[i]) || agreed(target.now[k]));
+    });
+}
+
 /// True if a statement that words came into has one, new or not, where the other side has another.
 bool rewrites_in_another_order(const SideEdit& edit, const Distance& today) {
     const std::vector<bool> gained = places_gained(edit);
@@ -198,6 +246,7 @@ bool edits_in_own_words(const PairTexts& texts, const Dialect& dialect) {
     if (today.unlike > then.unlike + kFree + (source.size + target.size) / kShare) return false;
     if (brings_wrong_word(source, today.misplaced.source) || brings_wrong_word(target, today.misplaced.target))
         return false;
+    if (brings_wrong_name(source, target, today, dialect)) return false;
     const Way way{then, today};
     if (grouping_of_edits(texts, dialect) == Grouping::OtherBrackets) return false;
     return signs_follow(source, target, Side::Source, way) && signs_follow(target, source, Side::Target, way);

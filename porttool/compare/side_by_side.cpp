@@ -139,6 +139,20 @@ std::vector<size_t> SideBySide::crossed() const {
     return out;
 }
 
+std::vector<std::pair<size_t, size_t>> SideBySide::other_names() const {
+    std::vector<std::pair<size_t, size_t>> out;
+    for (size_t i = 0; i < here_.size(); ++i) {
+        size_t k = laid_.word_of[i];
+        if (i + 1 < here_.size() && here_[i + 1] == "(") {  // `sinf (` beside `std :: cos (`
+            const size_t open = laid_.word_of[i + 1];
+            if (open != Alignment::kNone && open > 0 && there_[open] == "(") k = open - 1;
+        }
+        if (k != Alignment::kNone && !same(i, k) && is_word_token(here_[i]) && is_word_token(there_[k]))
+            out.emplace_back(i, k);
+    }
+    return out;
+}
+
 std::set<size_t> SideBySide::covered() const {
     std::set<size_t> out;
     for (size_t i = 0; i < here_.size(); ++i)

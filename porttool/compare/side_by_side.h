@@ -64,6 +64,9 @@ public:
     ///     there     g(a, b);   y = a - max(min(b));          the two names behind `=`, those before it, and `fminf`
     std::vector<size_t> crossed() const;
 
+    /// Names without their like at their place, here and there, that stand for each other.
+    std::vector<std::pair<size_t, size_t>> other_names() const;
+
     /// The words of the other text that have their like here.
     std::set<size_t> covered() const;
 

@@ -1326,5 +1326,52 @@ TEST(QuietGate, AMacroIsToldWithTheEditOfAText) {
     EXPECT_EQ(after(text("f", "2") + text("g", "1")), both) << "what was not edited tells of the macro";
 }
 
+const std::string kWeighKernel =
+    "__global__ void f(const float* x, float* y, P p, int n) {\n"
+    "  int i = blockIdx.x * blockDim.x + threadIdx.x;\n  if (i >= n) return;\n"
+    "  float v = x[i] * p.gain;\n  float w = v * v + p.bias;\n  if (w > p.limit) w = p.limit;\n"
+    "  y[i] = w / (v + 1.0f);\n}\n";
+const std::string kWeighLoop =
+    "void f(const std::vector<float>& x, std::vector<float>& y, const P& p) {\n"
+    "  for (int i = 0; i < int(x.size()); ++i) {\n"
+    "    float v = x[i] * p.gain;\n    float w = v * v + p.bias;\n    if (w > p.limit) w = p.limit;\n"
+    "    y[i] = w / (v + 1.0f);\n  }\n}\n";
+
+TEST(QuietGate, AnotherFunctionOfMathematicsIsNoEditInOwnWords) {
+    const auto after_both = [](const std::string& here, const std::string& there) {
+        const auto with = [](const std::string& text, const std::string& call) {
+            const std::string more = "float k = " + call + ";\n w += k * p.slope - 0.5f;\n y[i]";
+            return replaced(text, "y[i]", more);
+        };
+        return loud({{"s/k.cu", kWeighKernel}, {"t/k.cpp", kWeighLoop}},
+                    {{"s/k.cu", with(kWeighKernel, here)}, {"t/k.cpp", with(kWeighLoop, there)}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const Loud told = {"port-differs s/k.cu:f"};
+    EXPECT_EQ(after_both("floorf(v * p.knee)", "std::floor(v * p.knee)"), Loud{});
+    EXPECT_EQ(after_both("sinf(v * p.knee)", "std::sin(v * p.knee)"), Loud{});
+    EXPECT_EQ(after_both("floorf(v * p.knee)", "std::ceil(v * p.knee)"), told);
+    EXPECT_EQ(after_both("sinf(v * p.knee)", "std::cos(v * p.knee)"), told);
+    EXPECT_EQ(after_both("fmaxf(v, p.knee)", "std::min(v, p.knee)"), told);
+    EXPECT_EQ(after_both("powf(v, p.knee)", "std::fmod(v, p.knee)"), told);
+    EXPECT_EQ(after_both("fabsf(v * p.knee)", "std::sqrt(v * p.knee)"), told);
+}
+
+TEST(QuietGate, AMemberThatBothHadIsNoWordOfOneSidesOwn) {
+    const auto after_both = [](const std::string& member) {
+        const std::string last = "y[i] = w / (v + 1.0f);";
+        const auto now = [&](const std::string& text, const std::string& bias, const std::string& root) {
+            const std::string more = "float g2 = p.g * p.g;\n float e = (1.0f - g2) / " + root +
+                                     "(1.0f + g2 - 2.0f * p.g * v, 1.5f);\n y[i] = w / (v + 1.0f) + e * p.sun;";
+            return replaced(replaced(text, "p.bias", bias + " * p.sun"), last, more);
+        };
+        return loud({{"s/k.cu", kWeighKernel}, {"t/k.cpp", kWeighLoop}},
+                    {{"s/k.cu", now(kWeighKernel, "p.bias", "powf")}, {"t/k.cpp", now(kWeighLoop, member, "std::pow")}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(after_both("p.bias"), Loud{});
+    EXPECT_EQ(after_both("p.offset"), Loud{"port-differs s/k.cu:f"});
+}
+
 }  // namespace
 }  // namespace porttool::testing::quiet_gate_test
