@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <type_traits>
 
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
@@ -315,6 +316,21 @@ bool jump_alike(const PairTexts& texts) {
     };
     return source == target || of_items(texts.source_before, texts.source_now) == target ||
            source == of_items(texts.target_before, texts.target_now);
+}
+
+bool jumps_arrive(const LoneTexts& texts) {
+    const auto arrive = [](const auto& before, const auto& now, const auto& other) {
+        using List = std::decay_t<decltype(now)>;
+        const auto came = jumps_of(before, now), has = jumps_of(List{}, now);
+        const auto there = jumps_of(std::decay_t<decltype(other)>{}, other);
+        return std::all_of(came.begin(), came.end(), [&](const auto& each) {
+            const auto like = there.find(each.first);
+            return each.second < 0 || (like != there.end() && has.at(each.first) <= like->second);
+        });
+    };
+    return arrive(texts.before, texts.now, texts.other) ||
+           arrive(texts.before, texts.now, with_returns_for_items(texts.other)) ||
+           arrive(with_returns_for_items(texts.before), with_returns_for_items(texts.now), texts.other);
 }
 
 }  // namespace porttool

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "porttool/compare/edits.h"
 #include "porttool/compare/meaning.h"
 #include "porttool/normal/normal_text.h"
 
@@ -34,5 +35,9 @@ std::string other_ends_of_items(const PairTexts& texts);
 /// True if as much of each kind came and went on both sides that ends something early: `return`, `break`, `continue`;
 /// also with `return` for the end of an item.
 bool jump_alike(const PairTexts& texts);
+
+/// True if an edit of one side brought no more of what ends something early than the other side has of that kind; also
+/// with `return` for the end of an item.
+bool jumps_arrive(const LoneTexts& texts);
 
 }  // namespace porttool

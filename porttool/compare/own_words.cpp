@@ -268,10 +268,11 @@ Nearing draws_nearer(LaidEdit& laid) {
     const bool is_brief = takes && edit.size < kLeastTaken && edit.gained_words >= kBrief;
     if ((edit.size < (takes ? kLeastTaken : kLeast) && !is_brief) || !edit.guarded.empty()) return Nearing::No;
     const SideEdit& other = laid.other();
-    if (!may_arrive(edit, other)) return Nearing::No;
+    if (!may_arrive(edit, other) || !jumps_arrive(laid.texts())) return Nearing::No;
     const size_t astray = names_astray(edit, other);
     if (takes && astray > 0) return Nearing::No;
     const Distance then(laid.before(), dialect), today(edit.now, other.now, dialect);
+    if (brings_wrong_name(edit, other, today, dialect)) return Nearing::No;
     const size_t nearer = then.unlike - std::min(then.unlike, today.unlike);
     const size_t thirds = is_brief ? 3 : astray == 0 && names_arrive(edit, other) ? 1 : 2;  // of what was edited
     if (3 * nearer < thirds * edit.size) return Nearing::No;

@@ -1373,5 +1373,43 @@ TEST(QuietGate, AMemberThatBothHadIsNoWordOfOneSidesOwn) {
     EXPECT_EQ(after_both("p.offset"), Loud{"port-differs s/k.cu:f"});
 }
 
+const std::string kMarch =
+    "  float t = x[i];\n  float c = 0.0f;\n  float left = 1.0f;\n  while (t < p.end && left > 0.001f) {\n"
+    "    float rho = d[int(t)];\n    if (rho < 0.0f) break;\n    float a = 1.0f - EXP(-rho * p.sigma);\n"
+    "    c += p.glow * (left * a * rho);\n    left *= 1.0f - a;\nMORE    t += p.step;\n  }\n  y[i] = c;\n";
+
+/// The level of what is told after a kernel came to stop in those words, as its port has long stopped.
+std::string after_catching_up(const std::string& stop) {
+    const auto kernel = [](const std::string& more) {
+        return "__global__ void f(const float* x, const float* d, float* y, P p, int n) {\n"
+               "  int i = blockIdx.x * blockDim.x + threadIdx.x;\n  if (i >= n) return;\n" +
+               replaced(replaced(kMarch, "EXP", "expf"), "MORE", more) + "}\n";
+    };
+    const std::string port =
+        "void f(const std::vector<float>& x, const std::vector<float>& d, std::vector<float>& y, const P& p) {\n"
+        "  for (int i = 0; i < int(x.size()); ++i) {\n" +
+        replaced(replaced(kMarch, "EXP", "std::exp"), "MORE",
+                 "if (left < p.stop) { c /= std::max(1.0f - left, p.eps); left = 0.0f; break; }\n") +
+        "  }\n}\n";
+    MemoryDisk disk;
+    disk.files["/r/s/k.cu"] = kernel("");
+    disk.files["/r/t/k.cpp"] = port;
+    disk.files["/r/portmap.toml"] =
+        "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n"
+        "[[pair]]\nsource = \"s/k.cu:f\"\ntarget = \"t/k.cpp:f\"\n";
+    EXPECT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0);
+    disk.files["/r/s/k.cu"] = kernel(stop);
+    const auto report = check(disk);
+    return report["findings"].empty() ? std::string() : report["findings"][0]["level"].get<std::string>();
+}
+
+TEST(QuietGate, ASideThatCatchesUpInAnotherFunctionOrJumpDoesNot) {
+    const std::string stop = "if (left < p.stop) { c /= fmaxf(1.0f - left, p.eps); left = 0.0f; break; }\n";
+    EXPECT_TRUE(after_catching_up(stop).empty() || after_catching_up(stop) == "note");
+    EXPECT_EQ(after_catching_up(replaced(stop, "fmaxf", "fminf")), "error");
+    EXPECT_EQ(after_catching_up(replaced(stop, "break", "continue")), "error");
+    EXPECT_EQ(after_catching_up(replaced(stop, "p.stop", "p.step")), "error");
+}
+
 }  // namespace
 }  // namespace porttool::testing::quiet_gate_test
