@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -184,7 +185,28 @@ public:
         return one != arm_of_.end() && two != arm_of_.end() && one->second != 0 && one->second == two->second;
     }
 
+    /// True if the two have arms of which each says something else.
+    bool say_others(const std::string& a, const std::string& b) const {
+        const auto one = arm_of_.find(a), two = arm_of_.find(b);
+        return one != arm_of_.end() && two != arm_of_.end() && one->second != 0 && two->second != 0 &&
+               says(one->second) != says(two->second);
+    }
+
 private:
+    /// What stands from the beginning of an arm to the next one, or to the end of its block.
+    Words says(size_t first) const {
+        std::set<size_t> begins;
+        for (const auto& [label, arm] : arm_of_) begins.insert(arm);
+        Words out;
+        int depth = 0;
+        for (size_t i = first; i < rest_.size(); ++i) {
+            depth += depth_change(rest_[i]);
+            if (depth < 0 || (depth == 0 && ((i > first && begins.contains(i)) || rest_[i] == "default"))) break;
+            out.push_back(rest_[i]);
+        }
+        return out;
+    }
+
     static size_t end_of(const Words& tokens, size_t i) {
         constexpr size_t kLongest = 16;
         for (size_t k = i; k < tokens.size() && k < i + kLongest; ++k)
@@ -217,6 +239,18 @@ bool only_adds_labels_of_other(const Words& before, const Words& now, const Word
         return found != today.arms().end() && found->second == one.second;
     });
     return stayed && added == today.count() - then.count();
+}
+
+bool adds_labels_to_other_arms(const Words& before, const Words& now, const Words& other) {
+    const LabelReader then(before), today(now);
+    if (today.count() <= then.count() || today.rest() != then.rest()) return false;
+    const LabelReader there(other);
+    return std::any_of(today.arms().begin(), today.arms().end(), [&](const auto& added) {
+        if (then.arms().contains(added.first)) return false;
+        return std::any_of(then.arms().begin(), then.arms().end(), [&](const auto& known) {
+            return today.share_arm(added.first, known.first) && there.say_others(added.first, known.first);
+        });
+    });
 }
 
 Words with_sorted_cases(const Words& tokens) {

@@ -24,4 +24,12 @@ Words with_sorted_cases(const Words& tokens);
 ///     other     case A : case B : case C : return f ( x ) ;
 bool only_adds_labels_of_other(const Words& before, const Words& now, const Words& other);
 
+/// True if all that an edit did was to let labels join arms, and for one of them the other text has an arm that does
+/// something else than the one that it has for those beside it here.
+///
+///     before    case A : r = a ; break ;
+///     now       case A : case B : r = a ; break ;
+///     other     case A : r = a ; break ; case B : r = b ; break ;
+bool adds_labels_to_other_arms(const Words& before, const Words& now, const Words& other);
+
 }  // namespace porttool

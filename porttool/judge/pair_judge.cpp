@@ -527,6 +527,7 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
                       "it only changes how it drives a runtime that the source does not call");
     if (only_adds_labels_of_other(texts.before, texts.now, texts.other))
         return weaken(pair, finding, Level::Note, there_is + " has the label in that arm already");
+    if (adds_labels_to_other_arms(texts.before, texts.now, texts.other)) return;
     if (const auto arms = arms_of_other(texts, dialect_); arms != ArmsOfOther::None) {
         if (arms != ArmsOfOther::Others)
             weaken(pair, finding, arms == ArmsOfOther::Same ? Level::Note : Level::Warning,

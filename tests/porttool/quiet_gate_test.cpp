@@ -1411,5 +1411,22 @@ TEST(QuietGate, ASideThatCatchesUpInAnotherFunctionOrJumpDoesNot) {
     EXPECT_EQ(after_catching_up(replaced(stop, "p.stop", "p.step")), "error");
 }
 
+TEST(QuietGate, ALabelThatJoinsAnotherArmThanThere) {
+    const auto text = [](const std::string& zero, const std::string& one, const std::string& more) {
+        return "float f(float a, float b, int k) { float r = 0.0f; switch (k) { " + zero + " r = a + b; break; " + one +
+               " r = a * b; break; " + more + " } return r; }";
+    };
+    const auto after = [&](const std::string& zero, const std::string& one, const std::string& three) {
+        return loud({{"s/k.cu", text("case 0:", "case 1:", "")},
+                     {"t/k.cpp", text("case 0:", "case 1:", "case 3: " + three + " break;")}},
+                    {{"s/k.cu", text(zero, one, "")}}, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const Loud told = {"source-changed s/k.cu:f"};
+    EXPECT_EQ(after("case 3: case 0:", "case 1:", "r = a + b - a * b;"), told);
+    EXPECT_EQ(after("case 0: case 3:", "case 1:", "r = a + b - a * b;"), told);
+    EXPECT_EQ(after("case 0:", "case 1: case 3:", "r = a + b - a * b;"), told);
+    EXPECT_EQ(after("case 0:", "case 1: case 3:", "r = a * b;"), Loud{}) << "the same in an arm of its own";
+}
+
 }  // namespace
 }  // namespace porttool::testing::quiet_gate_test
