@@ -39,6 +39,13 @@ constexpr std::array<std::string_view, 44> kDeeds = {
     "create", "build",      "destroy", "send",     "recv",   "receive", "apply",  "swap",  "copy",
     "memcpy", "fill",       "acquire", "atomic",   "fetch",  "release", "solve",  "rand"};
 
+/// Words of names of what is reckoned.
+constexpr std::array<std::string_view, 36> kReckonings = {
+    "softmax", "sum",  "add",   "mul",     "exp",   "clamp",  "clip",      "density",   "likelihood",
+    "prob",    "norm", "scale", "normal",  "gamma", "det",    "normalize", "smooth",    "apply",
+    "mean",    "max",  "min",   "sigmoid", "grad",  "matrix", "mod",       "mix",       "gradient",
+    "filter",  "blur", "bias",  "weight",  "cdf",   "pdf",    "sample",    "posterior", "variance"};
+
 template <size_t N>
 bool names_one_of(const std::array<std::string_view, N>& parts, std::string_view word) {
     const std::string name = folded(word);
@@ -58,23 +65,39 @@ std::vector<std::string> words_of_name(std::string_view name) {
     return out;
 }
 
-/// True for a name that says that something is told to people. A short one with `log` in it is a logarithm.
-bool speaks_by_name(std::string_view name) {
+/// How sure a name says that something is told to people.
+enum class Speaks : uint8_t { No, Perhaps, Surely };
+
+/// `print`, `assert` and names of them tell; `log` and `warn` may be a part of something else (`log_softmax`). A short
+/// name with `log` in it is a logarithm.
+Speaks speaks_by_name(std::string_view name) {
     constexpr size_t kLongestLogarithm = 5;
-    const std::vector<std::string> words = words_of_name(name);
-    return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+    Speaks out = Speaks::No;
+    for (std::string_view word : words_of_name(name)) {
         if (name.size() > kLongestLogarithm || word.find("log") == std::string_view::npos)
-            if (std::find(kWholeSayings.begin(), kWholeSayings.end(), word) != kWholeSayings.end()) return true;
+            if (std::find(kWholeSayings.begin(), kWholeSayings.end(), word) != kWholeSayings.end())
+                out = std::max(out, Speaks::Perhaps);
         word.remove_prefix(std::min(word.find_first_not_of("vf"), word.size()));  // vfprintf
-        return std::any_of(kSayings.begin(), kSayings.end(),
-                           [&](std::string_view saying) { return word.starts_with(saying); });
-    });
+        if (word.starts_with("print") || word.starts_with("assert")) return Speaks::Surely;
+        if (std::any_of(kSayings.begin(), kSayings.end(),
+                        [&](std::string_view saying) { return word.starts_with(saying); }))
+            out = std::max(out, Speaks::Perhaps);
+    }
+    return out;
 }
 
 bool does_by_name(std::string_view name) {
     const std::vector<std::string> words = words_of_name(name);
     return std::any_of(words.begin(), words.end(), [](std::string_view word) {
         return std::find(kDeeds.begin(), kDeeds.end(), word) != kDeeds.end();
+    });
+}
+
+/// True for a name that says that something is reckoned: `log_softmax`, `apply_density_profile`.
+bool reckons_by_name(std::string_view name) {
+    const std::vector<std::string> words = words_of_name(name);
+    return std::any_of(words.begin(), words.end(), [](std::string_view word) {
+        return std::find(kReckonings.begin(), kReckonings.end(), word) != kReckonings.end();
     });
 }
 
@@ -93,6 +116,8 @@ class AsideReader {
 public:
     explicit AsideReader(const Words& tokens) : tokens_(tokens) {
         find_guards();
+        for (size_t i = 0; i + 1 < tokens.size(); ++i)
+            if (tokens[i + 1] == "[" && is_word_token(tokens[i])) arrays_.insert(tokens[i]);
         cut();
     }
 
@@ -160,19 +185,41 @@ private:
         if (says(first, end)) return Kind::Saying;
         const bool reads_clock = std::any_of(
             at(first), at(end), [](std::string_view one) { return is_word_token(one) && names_one_of(kClocks, one); });
-        return reads_clock ? Kind::Timing : Kind::Plain;
+        return reads_clock && !reckons(first, end) ? Kind::Timing : Kind::Plain;
+    }
+
+    /// True if what is called with a clock's word in its name reckons something: a profile is also a curve.
+    bool reckons(size_t first, size_t end) const {
+        for (size_t i = first; i + 1 < end; ++i)
+            if (word(i + 1) == "(" && names_one_of(kClocks, word(i)) && reckons_by_name(word(i))) return true;
+        return false;
+    }
+
+    /// True if a call whose name leaves it open tells something: it has a text, or is handed no whole array to write.
+    bool may_tell(size_t name, size_t end) const {
+        if (does_by_name(word(name)) || reckons_by_name(word(name))) return false;
+        bool hands_array = false;
+        for (size_t i = name + 1; i < end; ++i) {
+            if (word(i).starts_with("\"")) return true;
+            const std::string_view before = word(i - 1), after = word(i + 1);
+            const bool is_whole = (before == "(" || before == ",") && (after == ")" || after == ",");
+            hands_array = hands_array || (is_whole && arrays_.contains(word(i)));
+        }
+        return !hands_array;
     }
 
     /// True for a statement that is one call which tells something, or hands something to a stream.
     bool says(size_t first, size_t end) const {
         size_t name = first;
         while (word(name + 1) == "::" && name + 2 < end) name += 2;
-        if (!is_word_token(word(name)) || !speaks_by_name(word(name))) return false;
+        const Speaks speaks = is_word_token(word(name)) ? speaks_by_name(word(name)) : Speaks::No;
+        if (speaks == Speaks::No) return false;
         for (size_t i = name + 1; i + 1 < end; ++i)
             if (word(i + 1) == "(" && is_word_token(word(i)) && does_by_name(word(i))) return false;
         size_t next = name + 1;
         if (word(next) == "(") next = behind_parentheses(next, end);
-        return next > name + 1 ? word(next) == ";" || is_shift(next) : is_shift(next);
+        if (is_shift(next)) return true;
+        return next > name + 1 && word(next) == ";" && (speaks == Speaks::Surely || may_tell(name, end));
     }
 
     bool is_shift(size_t i) const { return word(i) == "<" && word(i + 1) == "<"; }
@@ -284,7 +331,8 @@ private:
     const Words& tokens_;
     std::unordered_map<size_t, size_t> guards_;
     std::vector<Stretch> stretches_;
-    std::unordered_set<std::string_view> rest_;  ///< of what is no aside
+    std::unordered_set<std::string_view> arrays_;  ///< names of which parts are read or written
+    std::unordered_set<std::string_view> rest_;    ///< of what is no aside
 };
 
 }  // namespace

@@ -1428,5 +1428,30 @@ TEST(QuietGate, ALabelThatJoinsAnotherArmThanThere) {
     EXPECT_EQ(after("case 0:", "case 1: case 3:", "r = a * b;"), Loud{}) << "the same in an arm of its own";
 }
 
+TEST(QuietGate, WhatSoundsLikeAnAsideAndReckons) {
+    const std::string plain =
+        "__global__ void f(float* out, float* s, int n, float k) {\n  float best = -1.0f;\n"
+        "  for (int j = 0; j < n; ++j) { s[j] = s[j] * k; best = fmaxf(best, s[j]); }\n"
+        "  HERE\n  log_softmax_row(s, n, best, 1.0f);\n  if (threadIdx.x == 0) out[n - 1] = best;\n}\n";
+    const auto after_edit = [&](const std::string& now) {
+        const std::string before = replaced(plain, "HERE", "");
+        return loud({{"s/k.cu", before}, {"t/k.cpp", before}}, {{"s/k.cu", now}}, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const auto with = [&](const std::string& more) { return after_edit(replaced(plain, "HERE", more)); };
+    const Loud told = {"source-changed s/k.cu:f"};
+    const std::string call = "log_softmax_row(s, n, best, 1.0f);";
+    EXPECT_EQ(after_edit(replaced(replaced(plain, "HERE", ""), call, "")), told);
+    EXPECT_EQ(after_edit(replaced(replaced(plain, "HERE", ""), call, "log_softmax_row(s, best, n - 1, k * 0.5f);")),
+              told);
+    EXPECT_EQ(with("log_sum_add(s, n, best, 1e-6f);"), told);
+    EXPECT_EQ(with("debug_clampScores(s, n, -80.0f, 80.0f);"), told);
+    EXPECT_EQ(with("warn_if_zero_then_nudge(s, n, 1e-6f, 2);"), told);
+    EXPECT_EQ(with("apply_density_profile(); apply_density_profile();"), told);
+    EXPECT_EQ(with("log_best(best, n, k, 4);"), Loud{});
+    EXPECT_EQ(with("debug_print_row(\"row\", s, n, best);"), Loud{});
+    EXPECT_EQ(with("warn_once(\"%d of %f\", n, best);"), Loud{});
+    EXPECT_EQ(with("print_row(s, n, best, 3);"), Loud{});
+}
+
 }  // namespace
 }  // namespace porttool::testing::quiet_gate_test
