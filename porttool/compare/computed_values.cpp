@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/compare/computed_values.h"
 
+#include <algorithm>
+#include <map>
 #include <set>
 
 #include "porttool/compare/hints.h"
@@ -38,6 +40,29 @@ std::set<std::string_view> words_that_count(const Words& text) {
     return out;
 }
 
+/// How many jumps stand before the first read of each array, by its name; what is left by then is not read.
+std::map<std::string_view, size_t> jumps_before_reads(const Words& text, size_t& jumps) {
+    std::map<std::string_view, size_t> out;
+    jumps = 0;
+    for (size_t i = 0; i < text.size(); ++i) {
+        if (is_one_of(text[i], {"return", "break", "continue", "goto", "discard"})) ++jumps;
+        if (is_word_token(text[i]) && i + 1 < text.size() && text[i + 1] == "[") out.emplace(text[i], jumps);
+    }
+    return out;
+}
+
+/// True if an array is read before a jump now that was read behind it: what the jump kept from being read may be out of
+/// bounds.
+bool reads_before_guards(const Words& before, const Words& now) {
+    size_t jumps_then = 0, jumps_now = 0;
+    const auto then = jumps_before_reads(before, jumps_then), today = jumps_before_reads(now, jumps_now);
+    if (jumps_then != jumps_now) return false;  // guards that became one, or a block
+    return std::any_of(today.begin(), today.end(), [&](const auto& read) {
+        const auto was = then.find(read.first);
+        return was != then.end() && read.second < was->second;
+    });
+}
+
 }  // namespace
 
 bool compute_alike(const BySide<Words>& texts, const Dialect& dialect, const BySide<Language>& languages) {
@@ -61,7 +86,7 @@ bool compute_alike(const BySide<Words>& texts, const Dialect& dialect, const ByS
 }
 
 bool computes_as_before(const Words& before, const Words& now, const Dialect& dialect, Language language) {
-    if (words_that_count(before) != words_that_count(now)) return false;
+    if (words_that_count(before) != words_that_count(now) || reads_before_guards(before, now)) return false;
     if (before.size() > kMostComputed || now.size() > kMostComputed) return false;
     const NumberedText then(without_hints(without_prelude(before))), today(without_hints(without_prelude(now)));
     PlainStatements plain(UnitKind::Function, language, dialect);

@@ -1453,5 +1453,22 @@ TEST(QuietGate, WhatSoundsLikeAnAsideAndReckons) {
     EXPECT_EQ(with("print_row(s, n, best, 3);"), Loud{});
 }
 
+TEST(QuietGate, AReadThatMovesBeforeItsGuardIsNotTheSame) {
+    const std::string head =
+                          "__global__ void f(const float* d, float* y, int n, float lim) {\n  int i = threadIdx.x;\n",
+                      guard = "  if (i < 0 || i >= n) return;\n", read = "  float rho = d[i + 1];\n",
+                      scale = "  float k = lim * 2.0f;\n", rest = "  y[i] = 1.0f - expf(-rho * k);\n}\n";
+    const std::string port =
+        "void f(const Grid& d, Grid& y, float lim) {\n  for (int i = 0; i < d.size(); ++i) {\n"
+        "    y.put(i, 1.0f - std::exp(-d.at(i + 1) * lim * 2.0f));\n  }\n}\n";
+    const auto after_edit = [&](const std::string& now) {
+        return loud({{"s/k.cu", head + guard + scale + read + rest}, {"t/k.cpp", port}}, {{"s/k.cu", now}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(after_edit(head + guard + read + scale + rest), Loud{});
+    EXPECT_EQ(after_edit(head + scale + guard + read + rest), Loud{});
+    EXPECT_EQ(after_edit(head + read + guard + scale + rest), Loud{"source-changed s/k.cu:f"});
+}
+
 }  // namespace
 }  // namespace porttool::testing::quiet_gate_test
