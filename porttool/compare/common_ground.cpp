@@ -165,8 +165,6 @@ bool touches_what_counts(LaidEdit& laid) {
            pragmas_of(without_hints(texts.before)) != pragmas_of(without_hints(texts.now));
 }
 
-bool touches_common_clauses(LaidEdit& laid) { return GroundReader(laid.edit(), laid.before(), true).touches(); }
-
 bool changes_launches(const LoneTexts& texts) {
     return launches_of(without_hints(texts.before)) != launches_of(without_hints(texts.now));
 }

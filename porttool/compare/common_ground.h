@@ -29,9 +29,6 @@ OffGround off_common_ground(LaidEdit& laid);
 /// True if an edit touches words that are never silent, other than branches for the compiler.
 bool touches_what_counts(LaidEdit& laid);
 
-/// True if an edit took words out of a clause of which most has its like on the other side, or brought some beside it.
-bool touches_common_clauses(LaidEdit& laid);
-
 /// True if an edit changes how kernels are launched, and with what.
 bool changes_launches(const LoneTexts& texts);
 

@@ -106,19 +106,15 @@ double weight_of_evidence(LaidEdit& laid) {
     return -3.6 + 1.5 * of_texts + 1.55 * of_place + 1.35 * of_lost + 1.15 * known_names(laid);
 }
 
-Owed how_owed(LaidEdit& laid) {
-    constexpr double kLikely = -0.5, kPerhaps = -1.5;
-    constexpr size_t kMeant = 12, kSurelyMeant = 16;  // words of an edit that is no slip
-    constexpr size_t kLeast = 64;                     // words of a text whose likeness tells something
-    const size_t size = tokens_edited(laid.texts());
-    if (size <= kMeant || !laid.can_be_laid() || touches_what_counts(laid) || reorders_or_retunes_words(laid.edit()) ||
+bool is_likely_owed(LaidEdit& laid) {
+    constexpr double kLikely = -0.5;
+    constexpr size_t kMeant = 12;  // words of an edit that is no slip
+    constexpr size_t kLeast = 64;  // words of a text whose likeness tells something
+    if (tokens_edited(laid.texts()) <= kMeant || !laid.can_be_laid() || touches_what_counts(laid) ||
+        reorders_or_retunes_words(laid.edit()) ||
         std::min(words_in(laid.edit().had), words_in(laid.other().has)) < kLeast)
-        return Owed::Likely;
-    const double evidence = weight_of_evidence(laid);
-    if (evidence >= kLikely) return Owed::Likely;
-    if (evidence >= kPerhaps || size <= kSurelyMeant || touches_common_clauses(laid) || changes_launches(laid.texts()))
-        return Owed::Perhaps;
-    return Owed::Hardly;
+        return true;
+    return weight_of_evidence(laid) >= kLikely;
 }
 
 }  // namespace porttool

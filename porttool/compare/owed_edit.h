@@ -2,19 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-
 #include "porttool/compare/laid_edit.h"
 
 namespace porttool {
 
-/// How likely it is that the other side owes an edit of one side alone. `Perhaps` and `Hardly` of an edit of more than
-/// a dozen words of which little, or hardly anything, has to do with the other side's text. Not of words that are never
-/// silent, of the same words in another order, of numbers in the place of numbers, and of short texts, whose words have
-/// their like by chance. `Hardly` takes nothing from, and brings nothing beside, a clause
-/// that both sides have, and changes no launch.
-enum class Owed : uint8_t { Hardly, Perhaps, Likely };
-Owed how_owed(LaidEdit& laid);
+/// False of an edit of one side alone, of more than a dozen words, of which little has to do with the other side's
+/// text: it is in doubt that the other side owes it. True of words that are never silent, of the same words in another
+/// order, of numbers in the place of numbers, and of short texts, whose words have their like by chance.
+bool is_likely_owed(LaidEdit& laid);
 
 /// What speaks for it, as a logistic regression sums it up: 0 is even for an edit of which nothing else is known. How
 /// much of the two texts is alike, how much around the edit, how much of what went, and which of the names that came

@@ -487,7 +487,7 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
             return weaken(pair, finding, Level::Note, "it only derives from what is not of the project, or no longer");
         if (only_changes_fields_of_its_own(texts))
             weaken(pair, finding, Level::Note, "the two structs never had most of their fields in common");
-        else if (how_owed(laid) != Owed::Likely)
+        else if (!is_likely_owed(laid))
             weaken(pair, finding, Level::Warning, "little of what it touches has its like on the other side");
         return;
     }
@@ -545,24 +545,22 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
     weigh_ground(pair, side, laid, finding);
 }
 
-/// What an edit has to do with the other side's text, where nothing else tells.
+/// What an edit has to do with the other side's text, where nothing else tells. What little speaks for may still be
+/// owed by a port that does all in its own way: it is in doubt, and never a note.
 void PairJudge::weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, Finding& finding) const {
     const std::string there = side == Side::Source ? "the port" : "the source";
-    const std::string nothing = there + " has nothing like what it changes";
     const OffGround off = off_common_ground(laid);
-    if (off == OffGround::Hardly) return weaken(pair, finding, Level::Warning, nothing);
+    if (off == OffGround::No) {
+        if (!is_likely_owed(laid))
+            weaken(pair, finding, Level::Warning, "little of what it touches has its like in " + there);
+        return;
+    }
     const bool is_own_matter = !is_contract(facts_.map.reference, side);
-    const bool is_its_own =
+    pair.is_of_own_part =
         off == OffGround::Surely ||
-        (off != OffGround::No && (is_own_matter || only_tends_runtime(laid.texts().before, laid.texts().now)));
-    const Owed owed = is_its_own ? Owed::Hardly : how_owed(laid);
-    pair.is_of_own_part = owed == Owed::Hardly;
-    if (off != OffGround::No)
-        weaken(pair, finding, owed == Owed::Hardly ? Level::Note : Level::Warning, nothing);
-    else if (owed == Owed::Hardly)
-        weaken(pair, finding, Level::Note, "hardly anything that it touches has its like in " + there);
-    else if (owed == Owed::Perhaps)
-        weaken(pair, finding, Level::Warning, "little of what it touches has its like in " + there);
+        (off == OffGround::Perhaps && (is_own_matter || only_tends_runtime(laid.texts().before, laid.texts().now)));
+    weaken(pair, finding, pair.is_of_own_part ? Level::Note : Level::Warning,
+           there + " has nothing like what it changes");
 }
 
 void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before) {

@@ -35,18 +35,15 @@ struct Edit {
     std::string what, from, to;
 };
 
-/// The level of what is told of the edit of one side; "" for nothing.
-std::string level_of(const std::string& port, const Edit& edit, bool of_port = false,
-                     const std::string& source_file = "k.cpp") {
-    MemoryDisk disk;
-    disk.files = {{"/r/s/" + source_file, kSource},
-                  {"/r/t/k.cpp", port},
-                  {"/r/portmap.toml",
-                   "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n"
-                   "[[pair]]\nsource = \"s/" +
-                       source_file + ":f\"\ntarget = \"t/k.cpp:f\"\n"}};
+/// The level of what is told of the edit of one side of a pair; "" for nothing.
+std::string level_in(MemoryDisk disk, const BySide<std::string>& pair, bool of_port, const Edit& edit) {
+    disk.files["/r/portmap.toml"] =
+        "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n"
+        "[[pair]]\nsource = \"" +
+        pair.source + "\"\ntarget = \"" + pair.target + "\"\n";
     EXPECT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0) << edit.what;
-    std::string& edited = disk.files[of_port ? "/r/t/k.cpp" : "/r/s/" + source_file];
+    const std::string& id = of_port ? pair.target : pair.source;
+    std::string& edited = disk.files["/r/" + id.substr(0, id.find(':'))];
     edited = replaced(edited, edit.from, edit.to);
     const auto report = check(disk);
     std::string out;
@@ -55,6 +52,25 @@ std::string level_of(const std::string& port, const Edit& edit, bool of_port = f
         out = finding["level"];
     }
     return out;
+}
+
+std::string level_of(const std::string& port, const Edit& edit, bool of_port = false,
+                     const std::string& source_file = "k.cpp") {
+    MemoryDisk disk;
+    disk.files = {{"/r/s/" + source_file, kSource}, {"/r/t/k.cpp", port}};
+    return level_in(disk, {"s/" + source_file + ":f", "t/k.cpp:f"}, of_port, edit);
+}
+
+/// The name in front of the first bracket.
+std::string name_of_first(const std::string& text) {
+    const size_t end = text.find('('), space = text.rfind(' ', end);
+    return text.substr(space + 1, end - space - 1);
+}
+
+std::string level_of_kernel(const std::string& kernel, const std::string& port, const Edit& edit) {
+    MemoryDisk disk;
+    disk.files = {{"/r/s/k.cu", kernel}, {"/r/t/k.cpp", port}};
+    return level_in(disk, {"s/k.cu:" + name_of_first(kernel), "t/k.cpp:" + name_of_first(port)}, false, edit);
 }
 
 const std::vector<Edit> kSlips = {
@@ -84,9 +100,71 @@ TEST(OwedEdit, LongEditsOfWhatThePortDoesInItsOwnWay) {
         {"more", "v = v + lim * step;", "v = v + lim * step; book.open(at, rows); book.enter(v, lim); book.close(at);"},
     };
     for (const Edit& edit : edits) {
-        EXPECT_EQ(level_of(kStranger, edit), "note") << edit.what;
+        // Of names that the port has none of nothing is owed, whatever else is known.
+        const bool is_foreign = edit.what != "more";
+        EXPECT_EQ(level_of(kStranger, edit), is_foreign ? "note" : "warning") << edit.what;
         EXPECT_EQ(level_of(kTwin, edit), "error") << edit.what;
     }
+}
+
+/// Kernels, and the methods that do their work in a way of their own, as renderers have them.
+const std::string kSplat =
+    "__global__ void splatKernel(const float4* __restrict__ pos, const float* __restrict__ opacity, float* "
+    "__restrict__ image, int count, int width, int height, SplatParams prm) {\n"
+    "  __shared__ float4 tile[128];\n"
+    "  int gid = blockIdx.x * blockDim.x + threadIdx.x;\n"
+    "  int lane = threadIdx.x;\n"
+    "  float2 centre = make_float2(blockIdx.y % prm.tilesX * 16.0f + 8.0f, blockIdx.y / prm.tilesX * 16.0f + 8.0f);\n"
+    "  float acc = 0.0f;\n"
+    "  float transmittance = 1.0f;\n"
+    "  for (int base = 0; base < count; base += 128) {\n"
+    "    if (base + lane < count) tile[lane] = pos[base + lane];\n"
+    "    __syncthreads();\n"
+    "    int limit = min(128, count - base);\n"
+    "    for (int k = 0; k < limit; ++k) {\n"
+    "      float dx = tile[k].x - centre.x;\n"
+    "      float dy = tile[k].y - centre.y;\n"
+    "      float power = -0.5f * (dx * dx + dy * dy) * tile[k].z;\n"
+    "      if (power > 0.0f) continue;\n"
+    "      float alpha = fminf(0.99f, opacity[base + k] * __expf(power));\n"
+    "      if (alpha < 1.0f / 255.0f) continue;\n"
+    "      acc += alpha * transmittance * tile[k].w;\n"
+    "      transmittance *= 1.0f - alpha;\n"
+    "    }\n"
+    "    __syncthreads();\n"
+    "  }\n"
+    "  if (gid < width * height) image[gid] = acc + transmittance * prm.background;\n"
+    "}\n";
+const std::string kSplatter =
+    "void Renderer::Splat(const std::vector<Gaussian>& gaussians, Image& out) const {\n"
+    "  const int tilesAcross = (out.Width() + kTile - 1) / kTile;\n"
+    "  #pragma omp parallel for schedule(dynamic)\n"
+    "  for (int t = 0; t < tilesAcross * tilesAcross; ++t) {\n"
+    "    const Vec2 mid{(t % tilesAcross + 0.5f) * kTile, (t / tilesAcross + 0.5f) * kTile};\n"
+    "    double light = 0;\n"
+    "    double remaining = 1;\n"
+    "    for (const Gaussian& g : gaussians) {\n"
+    "      const Vec2 offset = g.position - mid;\n"
+    "      const double exponent = -0.5 * Dot(offset, offset) * g.inverseVariance;\n"
+    "      if (exponent > 0) continue;\n"
+    "      const double coverage = std::min(0.99, g.opacity * std::exp(exponent));\n"
+    "      if (coverage < 1.0 / 255.0) continue;\n"
+    "      light += coverage * remaining * g.colour;\n"
+    "      remaining *= 1 - coverage;\n"
+    "    }\n"
+    "    out.Fill(t, light + remaining * settings_.background);\n"
+    "  }\n"
+    "}\n";
+
+TEST(OwedEdit, FeaturesAndFormulasOfAKernelAreNoNotes) {
+    const std::vector<Edit> edits = {
+        {"a test more", "if (power > 0.0f) continue;",
+         "if (power > 0.0f || tile[k].z <= 0.0f || fabsf(dx) > prm.most || fabsf(dy) > prm.most) continue;"},
+        {"an early stop", "transmittance *= 1.0f - alpha;",
+         "transmittance *= 1.0f - alpha;\n"
+         "if (transmittance < prm.stopAt) { acc /= fmaxf(1.0f - transmittance, 1e-4f); break; }"},
+    };
+    for (const Edit& edit : edits) EXPECT_EQ(level_of_kernel(kSplat, kSplatter, edit), "warning") << edit.what;
 }
 
 TEST(OwedEdit, WhatStandsBesideAStatementOfBothIsToldWhateverTheRestSays) {
