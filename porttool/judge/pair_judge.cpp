@@ -538,7 +538,9 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
         return weaken(pair, finding, Level::Note, "the same edit came to " + beside + ", which no pair watches");
     if (const Nearing nearing = draws_nearer(laid); nearing != Nearing::No) {
         const bool in_order = nearing == Nearing::Yes;
-        const bool is_slip = only_takes(texts.before, texts.now) && words_edited(texts.before, texts.now) < kNoSlip;
+        // What is gone draws any two texts nearer that the other says in words of its own.
+        const bool is_slip = only_takes(texts.before, texts.now) && (words_edited(texts.before, texts.now) < kNoSlip ||
+                                                                     !are_twins(texts.now, texts.other, dialect_));
         return weaken(pair, finding, in_order && !is_slip ? Level::Note : Level::Warning,
                       there_is + (in_order ? " has most of it" : " has its words, some in other places"));
     }

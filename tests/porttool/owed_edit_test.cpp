@@ -155,6 +155,36 @@ const std::string kSplatter =
     "    out.Fill(t, light + remaining * settings_.background);\n"
     "  }\n"
     "}\n";
+const std::string kTone =
+    "__device__ float3 tonemap(float3 c, float exposure, float white, int mode) {\n"
+    "  c = make_float3(c.x * exposure, c.y * exposure, c.z * exposure);\n"
+    "  float l = 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;\n"
+    "  if (l <= 0.0f) return make_float3(0.0f, 0.0f, 0.0f);\n"
+    "  float m = l;\n"
+    "  switch (mode) {\n"
+    "    case 0: m = fminf(l, 1.0f); break;\n"
+    "    case 1: m = l / (1.0f + l); break;\n"
+    "    case 2: m = l * (1.0f + l / (white * white)) / (1.0f + l); break;\n"
+    "    default: m = l * (2.51f * l + 0.03f) / (l * (2.43f * l + 0.59f) + 0.14f); break;\n"
+    "  }\n"
+    "  float s = m / l;\n"
+    "  c.x = powf(c.x * s, 1.0f / 2.2f);\n"
+    "  c.y = powf(c.y * s, 1.0f / 2.2f);\n"
+    "  c.z = powf(c.z * s, 1.0f / 2.2f);\n"
+    "  return c;\n"
+    "}\n";
+const std::string kToneMapper =
+    "Colour ToneMapper::tonemap(Colour in) const {\n"
+    "  in *= exposure;\n"
+    "  const float lum = in.Luminance();\n"
+    "  if (lum <= 0.0f) return Colour(0.0f);\n"
+    "  float mapped = lum;\n"
+    "  if (mode == Mode::Clip) mapped = std::min(lum, 1.0f);\n"
+    "  else if (mode == Mode::Reinhard) mapped = lum / (1.0f + lum);\n"
+    "  else if (mode == Mode::Extended) mapped = lum * (1.0f + lum / (white * white)) / (1.0f + lum);\n"
+    "  else mapped = lum * (2.51f * lum + 0.03f) / (lum * (2.43f * lum + 0.59f) + 0.14f);\n"
+    "  return (in * (mapped / lum)).Pow(1.0f / 2.2f);\n"
+    "}\n";
 
 TEST(OwedEdit, FeaturesAndFormulasOfAKernelAreNoNotes) {
     const std::vector<Edit> edits = {
@@ -165,6 +195,16 @@ TEST(OwedEdit, FeaturesAndFormulasOfAKernelAreNoNotes) {
          "if (transmittance < prm.stopAt) { acc /= fmaxf(1.0f - transmittance, 1e-4f); break; }"},
     };
     for (const Edit& edit : edits) EXPECT_EQ(level_of_kernel(kSplat, kSplatter, edit), "warning") << edit.what;
+}
+
+TEST(OwedEdit, WhatIsGoneDrawsNoPortNearerThatSaysItInItsOwnWords) {
+    const std::string gamma = "c.y = powf(c.y * s, 1.0f / 2.2f);";
+    const std::vector<Edit> edits = {
+        {"a step", "c = make_float3(c.x * exposure, c.y * exposure, c.z * exposure);", ""},
+        {"a channel", gamma, ""},
+        {"the same once more", gamma, gamma + " " + gamma},
+    };
+    for (const Edit& edit : edits) EXPECT_EQ(level_of_kernel(kTone, kToneMapper, edit), "warning") << edit.what;
 }
 
 TEST(OwedEdit, WhatStandsBesideAStatementOfBothIsToldWhateverTheRestSays) {
