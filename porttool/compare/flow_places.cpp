@@ -58,8 +58,10 @@ struct FlowUse {
 };
 
 struct LocalOfFlow {
-    size_t declared = 0;
+    size_t declared = 0;      ///< the statement
+    size_t named_at = 0;      ///< ... and the word of it
     bool is_handle = false;   ///< a pointer or a reference
+    bool is_pointer = false;  ///< whose value is not what it leads to
     bool is_several = false;  ///< declared in more than one place
 };
 
@@ -132,7 +134,7 @@ public:
     /// Nothing if it is no local of a single value.
     std::optional<FlowTally> tally(std::string_view name, size_t place) const {
         const auto local = locals_.find(name);
-        if (local == locals_.end() || local->second.is_handle || local->second.is_several) return std::nullopt;
+        if (local == locals_.end() || local->second.is_pointer || local->second.is_several) return std::nullopt;
         const std::optional<std::vector<FlowUse>> uses = uses_of(name);
         if (!uses) return std::nullopt;
         FlowTally out;
@@ -199,20 +201,20 @@ private:
         return false;
     }
 
-    /// `T a = 1 , * b ;` and what a loop declares in its head.
+    /// `T a = 1 , * b ( 2 ) ;` and what a loop declares in its head.
     void note_locals(size_t i) {
         const FlowWords& said = words(i);
         size_t k = heads_loop_in_flow(said) ? 2 : 0;
         size_t types = 0;
-        bool is_handle = false;
+        bool is_handle = false, is_pointer = false;
         int depth = 0;
         for (; k < said.size(); ++k) {
             const std::string& word = said[k];
             const std::string_view next = k + 1 < said.size() ? std::string_view(said[k + 1]) : std::string_view(";");
             if (word_is(word, kControls) || is_one_of(word, {"return", "else", "case", "goto", "delete", "#"})) return;
             const bool is_name = is_word_token(word) && types > 0 && depth == 0;
-            if (is_name && is_one_of(next, {"=", ";", ",", "[", "{", ":", ")"})) {
-                const auto [local, is_first] = locals_.insert({word, {i, is_handle}});
+            if (is_name && is_one_of(next, {"=", ";", ",", "[", "{", "(", ":", ")"})) {
+                const auto [local, is_first] = locals_.insert({word, {i, k, is_handle, is_pointer, false}});
                 if (is_first)
                     declares_[i] = true;
                 else
@@ -223,10 +225,11 @@ private:
                 }
                 if (k + 1 >= said.size() || said[k + 1] == ";") return;
                 ++k;
-                is_handle = false;
+                is_handle = is_pointer = false;
                 continue;
             }
             depth += word == "<" ? 1 : word == ">" ? -1 : word == ">>" ? -2 : 0;
+            is_pointer = is_pointer || word == "*";
             is_handle = is_handle || word == "*" || word == "&";
             types += is_word_token(word) ? 1 : 0;
             if (!is_word_token(word) && !is_number_token(word) &&
@@ -255,6 +258,13 @@ private:
         return end < said.size() && assigns(said[end]);
     }
 
+    /// True where a statement declares a local and gives it its first value in brackets.
+    bool is_given_first_value(const FlowWords& said, size_t k, size_t i) const {
+        const auto local = locals_.find(said[k]);
+        return local != locals_.end() && local->second.declared == i && local->second.named_at == k &&
+               k + 1 < said.size() && is_one_of(said[k + 1], {"(", "{"});
+    }
+
     /// The uses of a local in their order; nothing if it has parts. The step in a loop's head is taken at its end.
     std::optional<std::vector<FlowUse>> uses_of(std::string_view name) const {
         std::vector<FlowUse> out;
@@ -266,7 +276,9 @@ private:
             FlowUse here{i, false, false, false}, step{closing_[i], false, false, false};
             for (size_t k = 0; k < said.size(); ++k) {
                 if (said[k] == ";") ++clause;
-                if (said[k] != name || !is_flow_name(said, k)) continue;
+                const bool begins = said[k] == name && is_given_first_value(said, k, i);
+                if (begins) here.writes = true;  // `T a ( 1 ) ;`
+                if (begins || said[k] != name || !is_flow_name(said, k)) continue;
                 if (k + 1 < said.size() && reaches(said[k + 1])) return std::nullopt;
                 const std::string_view next =
                     k + 1 < said.size() ? std::string_view(said[k + 1]) : std::string_view(";");

@@ -174,6 +174,68 @@ TEST(FlowPlaces, ADeletedStatementIsOfTheSameLocalOnBothSides) {
     }
 }
 
+// However a local is declared, what is written to it stands before or behind where it is read.
+TEST(FlowPlaces, LocalsAreDeclaredInManyWays) {
+    const std::string kernel =
+        "__global__ void f(const Surface* hits, float* out, int n, int depth) {\n"
+        "    int i = blockIdx.x * blockDim.x + threadIdx.x;\n"
+        "    if (i >= n) return;\n"
+        "    float beta = 1.0f;\n"
+        "    float sum = 0.0f;\n"
+        "    for (int k = 0; k < depth; ++k) {\n"
+        "        sum += beta * hits[i].emission;\n"
+        "        beta *= hits[i].albedo;\n"
+        "        /*in*/\n"
+        "    }\n"
+        "    out[i] = sum;\n"
+        "}\n";
+    const std::string port =
+        "void Shader::Run(Film& film) const {\n"
+        "    for (int pixel = 0; pixel < film.size(); ++pixel) {\n"
+        "        LOCALS\n"
+        "        for (int bounce = 0; bounce < options_.maxDepth; ++bounce) {\n"
+        "            /*0*/\n"
+        "            total += throughput * Fetch(pixel).emission;\n"
+        "            /*1*/\n"
+        "            throughput *= Fetch(pixel).albedo;\n"
+        "            /*2*/\n"
+        "        }\n"
+        "        film.Accumulate(pixel, total);\n"
+        "    }\n"
+        "}\n";
+    const auto told = [&](const std::string& locals, const std::string& edit, const std::string& of_port,
+                          const std::string& place) {
+        const std::string text = replaced(port, "LOCALS", locals);
+        MemoryDisk disk;
+        disk.files = {{"/r/s/k.cu", kernel},
+                      {"/r/t/k.cpp", text},
+                      {"/r/portmap.toml",
+                       "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n[[pair]]\nsource = "
+                       "\"s/k.cu:f\"\ntarget = \"t/k.cpp:Shader::Run\"\n"}};
+        EXPECT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0);
+        disk.files["/r/s/k.cu"] = put_at(kernel, "in", edit);
+        disk.files["/r/t/k.cpp"] = put_at(text, place, of_port);
+        return rules(check(disk));
+    };
+    for (const char* locals :
+         {"float total = 0.0f; float throughput = 1.0f;", "Spectrum total(0.0f), throughput(1.0f);",
+          "Spectrum total(0.0f); Spectrum throughput(1.0f);", "float total(0.0f); float throughput(1.0f);",
+          "static thread_local Spectrum total(0.0f), throughput(1.0f);",
+          "float total = 0.0f; float& throughput = state_[pixel].throughput;"}) {
+        for (const std::string edit : {"X = 0.5f * X + 0.1f;", "X = clamp_firefly(X);", "if (X > 4.0f) X = 4.0f;"}) {
+            const auto of = [&](const std::string& name) {
+                std::string out = edit;
+                for (size_t at = out.find('X'); at != std::string::npos; at = out.find('X')) out.replace(at, 1, name);
+                return out;
+            };
+            SCOPED_TRACE(locals + (" " + edit));
+            EXPECT_EQ(told(locals, of("beta"), of("throughput"), "2"), Rules{});
+            for (const char* place : {"0", "1"})
+                EXPECT_EQ(told(locals, of("beta"), of("throughput"), place), Rules{"port-differs"}) << place;
+        }
+    }
+}
+
 // The `v` of the one loop is not that of the other: their uses are not counted together.
 TEST(FlowPlaces, LocalsOfOneNameInTwoLoopsAreTwo) {
     const std::string kernel =
