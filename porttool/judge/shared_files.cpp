@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "porttool/normal/word_macros.h"
+#include "porttool/scan/scan.h"
 
 namespace porttool {
 namespace {
@@ -35,6 +36,8 @@ std::string_view last_part(std::string_view path) { return path.substr(path.rfin
 std::string key_of(std::string_view place, std::string_view name) {
     return std::string(place) + '\n' + std::string(name);
 }
+
+std::string_view leaf_of_id(std::string_view id) { return bare_leaf_of(id.substr(id.rfind(':') + 1)); }
 
 /// A few of one key are enough: a file includes one of a name.
 void add_few(std::vector<std::string>& names, const std::string& name) {
@@ -80,9 +83,29 @@ bool SharedFiles::folder_includes(Side side, std::string_view path, std::string_
     const Includes& all = foreign_includes(side).by_folder;
     const std::string_view folder = folder_of_path(path);
     const auto found = all.find(key_of(folder, without_suffix(last_part(there))));
-    return found != all.end() && std::any_of(found->second.begin(), found->second.end(), [&](const std::string& name) {
-               return may_mean(without_suffix(name), folder, without_suffix(there));
-           });
+    if (found == all.end()) return false;
+    const auto any = [&](const auto& means) { return std::any_of(found->second.begin(), found->second.end(), means); };
+    if (any([&](const std::string& name) { return may_mean(name, folder, there); })) return true;
+    const auto names_header = [&](const std::string& name) {
+        return may_mean(without_suffix(name), folder, without_suffix(there));
+    };
+    return any(names_header) && is_called_by(side, there);
+}
+
+bool SharedFiles::is_called_by(Side side, std::string_view there) {
+    if (!called_[side]) {
+        std::set<std::string_view> said, own;
+        for (const auto& [id, unit] : facts_.units(side)) {
+            own.insert(leaf_of_id(id));
+            for (const std::string_view word : unit.text.words()) said.insert(word);
+        }
+        std::set<std::string_view>& files = called_[side].emplace();
+        for (const auto& [id, unit] : facts_.units(porttool::other(side))) {
+            const std::string_view leaf = leaf_of_id(id);
+            if (said.contains(leaf) && !own.contains(leaf)) files.insert(unit.file);
+        }
+    }
+    return called_[side]->contains(there);
 }
 
 }  // namespace porttool

@@ -28,8 +28,8 @@ public:
     /// True if a file of that side includes one of the other side, and its own side has no file that it may mean.
     bool surely_includes(Side side, std::string_view path, std::string_view there);
 
-    /// True if any file in the folder of a file of that side does, which need not be there any more; or includes the
-    /// header beside one of the other side that has its name.
+    /// True if any file in the folder of a file of that side does, which need not be there any more. The header beside
+    /// one of the other side that has its name stands for it where that side calls what is in it and has it nowhere.
     bool folder_includes(Side side, std::string_view path, std::string_view there);
 
 private:
@@ -41,10 +41,13 @@ private:
     };
 
     const Foreign& foreign_includes(Side side);
+    bool is_called_by(Side side, std::string_view there);
 
     const Case& facts_;
     BySide<std::optional<Foreign>> foreign_;          ///< filled when first asked
     BySide<std::set<std::string, std::less<>>> own_;  ///< the last parts of the side's paths, with that
+    /// The other side's files with units that a side names and has not itself; filled when first asked.
+    BySide<std::optional<std::set<std::string_view>>> called_;
 };
 
 }  // namespace porttool

@@ -505,6 +505,22 @@ TEST(QuietGate, APortThatIncludesTheOriginalNow) {
     EXPECT_EQ(after({{"t/k.cpp", text}}).size(), 2u);
 }
 
+TEST(QuietGate, AHeaderOfTheSameNameIsNotTheOriginal) {
+    const std::string march = "float march(float x, Way w) { return 1.0f - exp(x * w.sigma) * w.step; }\n",
+                      way = "struct Way { float sigma; float step; };\n", head = "#include \"march.h\"\n",
+                      calls = "int f(float* y, int n) { y[n] = march(y[0], Way{}); return n + 3; }\n",
+                      other = "int f(float* y, int n) { y[n] = 0.0f; return n + 3; }\n";
+    const auto after = [&](const std::string& list, const Texts& more) {
+        Texts now = {{"t/march.cpp", ""}};
+        now.insert(more.begin(), more.end());
+        return loud({{"s/march.h", way}, {"s/march.cu", head + march}, {"t/march.cpp", march}, {"t/list.cpp", list}},
+                    now, {"s/march.cu:march=t/march.cpp:march"});
+    };
+    EXPECT_EQ(after(head + other, {}).size(), 1u) << "an include that is there for the struct";
+    EXPECT_EQ(after(other, {{"t/list.cpp", head + other}}).size(), 1u);
+    EXPECT_EQ(after(calls, {{"t/list.cpp", head + calls}}), Loud{}) << "what is called is the original";
+}
+
 TEST(QuietGate, ATypeThatGotAnotherNameThroughout) {
     const std::string names = "using rgbaf = tuple4<float>;\nusing rgbad = tuple4<double>;\n",
                       f = "float f(float x) { rgbaf sum = rgbaf(x); return sum.first() * x; }\n",
