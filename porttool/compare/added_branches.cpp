@@ -44,7 +44,7 @@ public:
 private:
     /// A branch that began; `is_own`: by a macro that is not known.
     struct Branch {
-        bool is_own = false, is_read = true;
+        bool is_own = false, is_read = true, has_else = false;
     };
 
     bool is_read() const {
@@ -58,13 +58,15 @@ private:
         if (kind == "if" || kind == "ifdef" || kind == "ifndef") return read_opening(at);
         if (open_.empty()) return at;
         if (kind == "endif") {
-            const bool is_own = open_.back().is_own;
+            const Branch ended = open_.back();
             open_.pop_back();
-            return is_own ? at + 2 : at;
+            failed_ = ended.is_own && !ended.has_else;
+            return ended.is_own ? at + 2 : at;
         }
         if (!kind.starts_with("el") || !open_.back().is_own) return at;
         failed_ = kind != "else";
         open_.back().is_read = !open_.back().is_read;
+        open_.back().has_else = true;
         return at + 2;
     }
 

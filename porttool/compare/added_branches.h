@@ -9,9 +9,9 @@
 
 namespace porttool {
 
-/// The macros for which an edit added branches of the preprocessor, where it did nothing else: without those branches,
-/// as a compiler reads the text that has never heard of the macros, it says what it said. Empty where more was edited,
-/// or one of them may be known to a compiler by itself (`__CUDA_ARCH__`, `GL_ES`, `NDEBUG`).
+/// The macros for which an edit added other texts by branches of the preprocessor, where it did nothing else: as a
+/// compiler reads the text that has never heard of the macros, it says what it said. Each branch has an `#else`. Empty
+/// where more was edited, or one of them may be known to a compiler by itself (`__CUDA_ARCH__`, `GL_ES`, `NDEBUG`).
 ///
 ///     sum += at ( i ) ;        # if IMAGES sum += fetch ( i ) ; # else sum += at ( i ) ; # endif
 std::set<std::string_view> macros_of_added_branches(const Words& before, const Words& now);
