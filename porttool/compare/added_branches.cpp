@@ -3,6 +3,7 @@
 #include "porttool/compare/added_branches.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -110,11 +111,19 @@ private:
 
 std::set<std::string_view> macros_of_added_branches(const Words& before, const Words& now) {
     if (std::count(now.begin(), now.end(), "#") <= std::count(before.begin(), before.end(), "#")) return {};
-    const std::set<std::string_view> known(before.begin(), before.end());
-    BranchReader reader(now, known);
-    const auto left = reader.run();
-    if (!left || !std::equal(left->begin(), left->end(), before.begin(), before.end())) return {};
-    return reader.macros();
+    // A macro that the text asked for before is one of the edit's where it asks for it more, or less, often now.
+    std::map<std::string_view, int> times;
+    for (const std::string_view word : now) ++times[word];
+    for (const std::string_view word : before) --times[word];
+    std::set<std::string_view> known;
+    for (const std::string_view word : before)
+        if (times[word] == 0) known.insert(word);
+    BranchReader reader(now, known), old(before, known);
+    const auto left = reader.run(), was = old.run();
+    if (!left || !was || *left != *was) return {};
+    std::set<std::string_view> macros = reader.macros();
+    macros.insert(old.macros().begin(), old.macros().end());
+    return macros;
 }
 
 }  // namespace porttool

@@ -608,6 +608,22 @@ TEST(QuietGate, ABranchForABuildThatTheOtherSideNeverHas) {
     EXPECT_EQ(after(branch("if USE_IMAGES", fresh, old)), Loud{});
     EXPECT_EQ(after(branch("if defined(USE_IMAGES)", fresh, old)), Loud{});
     EXPECT_EQ(after(branch("ifndef USE_IMAGES", old, fresh)), Loud{});
+    const auto once_more = [&](const std::string& text) {
+        const std::string before =
+            replaced(source, "y[n] = sum;", branch("if USE_IMAGES", "keep(sum);", "y[n] = sum;"));
+        return loud({{"s/k.cu", before}, {"t/k.cpp", source}}, {{"s/k.cu", replaced(before, old, text)}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(once_more(branch("if USE_IMAGES", fresh, old)), Loud{}) << "a macro that it asked for before";
+    EXPECT_EQ(once_more(branch("if USE_IMAGES", old, fresh)), told);
+    EXPECT_EQ(loud({{"s/k.cu", "#define FAST 1\n" + replaced(source, old, branch("if FAST", fresh, old))},
+                    {"t/k.cpp", source}},
+                   {{"s/k.cu", "#define FAST 1\n" + replaced(replaced(source, old, branch("if USE_IMAGES", fresh, old)),
+                                                             "y[n] = sum;",
+                                                             branch("if USE_IMAGES", "keep(sum);", "y[n] = sum;"))}},
+                   {"s/k.cu:f=t/k.cpp:f"}),
+              told)
+        << "a branch that was built is gone";
     EXPECT_EQ(after(old + "\n#ifdef USE_IMAGES\n" + fresh + "\n#endif\n"), told) << "more, and not something else";
     EXPECT_EQ(after(branch("ifndef USE_IMAGES", fresh, old)), told) << "what everybody builds is the new text";
     EXPECT_EQ(after(branch("ifdef USE_IMAGES", old, fresh)), told);
