@@ -86,20 +86,17 @@ Speaks speaks_by_name(std::string_view name) {
     return out;
 }
 
-bool does_by_name(std::string_view name) {
+template <size_t N>
+bool has_word_of(const std::array<std::string_view, N>& list, std::string_view name) {
     const std::vector<std::string> words = words_of_name(name);
-    return std::any_of(words.begin(), words.end(), [](std::string_view word) {
-        return std::find(kDeeds.begin(), kDeeds.end(), word) != kDeeds.end();
-    });
+    return std::any_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return std::find(list.begin(), list.end(), word) != list.end(); });
 }
 
+bool does_by_name(std::string_view name) { return has_word_of(kDeeds, name); }
+
 /// True for a name that says that something is reckoned: `log_softmax`, `apply_density_profile`.
-bool reckons_by_name(std::string_view name) {
-    const std::vector<std::string> words = words_of_name(name);
-    return std::any_of(words.begin(), words.end(), [](std::string_view word) {
-        return std::find(kReckonings.begin(), kReckonings.end(), word) != kReckonings.end();
-    });
-}
+bool reckons_by_name(std::string_view name) { return has_word_of(kReckonings, name); }
 
 bool is_one_of_leaves(std::string_view word) {
     return std::find(kLeaves.begin(), kLeaves.end(), word) != kLeaves.end();

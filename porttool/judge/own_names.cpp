@@ -86,6 +86,21 @@ bool has_in_a_row(const Words& words, std::string_view apart_by_blanks) {
     return std::search(words.begin(), words.end(), wanted.begin(), wanted.end()) != words.end();
 }
 
+/// True if some file of the side has the word elsewhere than in a comment, and behind `before`, if that is a word.
+bool is_in_code_after(const Case& facts, Side side, std::string_view word, std::string_view before) {
+    const FilesOfSide& files = (*facts.files)[side];
+    for (size_t i = 0; i < files.size(); ++i) {
+        if (!says_word(files.text(i), word)) continue;
+        const LexedText& lexed = files.scanned(i).lexed;
+        std::string_view last;
+        for (const Token& token : lexed.tokens) {
+            if (lexed.view(token) == word && (before.empty() || last == before)) return true;
+            last = lexed.view(token);
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 const std::vector<const UnitState*>* OwnNames::of(Side side, std::string_view name) {
@@ -157,21 +172,18 @@ bool OwnNames::is_seen_without(std::string_view scope, std::string_view name, co
 }
 
 bool OwnNames::is_asked_for_elsewhere(const std::string& macro, Side side) const {
-    if (!facts_.files) return false;
-    const auto has = [&](Side where, bool defines) {
-        const FilesOfSide& files = (*facts_.files)[where];
-        for (size_t i = 0; i < files.size(); ++i) {
-            if (files.text(i).find(macro) == std::string_view::npos) continue;
-            const LexedText& lexed = files.scanned(i).lexed;
-            std::string_view before;
-            for (const Token& token : lexed.tokens) {
-                if (lexed.view(token) == macro && (!defines || before == "define")) return true;
-                before = lexed.view(token);
-            }
-        }
-        return false;
-    };
-    return !has(side, true) && !has(other(side), false);
+    return facts_.files && !is_in_code_after(facts_, side, macro, "define") && !is_in_code(facts_, other(side), macro);
 }
+
+bool says_word(std::string_view text, std::string_view word) {
+    const auto is_part = [](char c) { return is_word_token(std::string_view(&c, 1)) || (c >= '0' && c <= '9'); };
+    for (size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+        const size_t end = at + word.size();
+        if ((at == 0 || !is_part(text[at - 1])) && (end == text.size() || !is_part(text[end]))) return true;
+    }
+    return false;
+}
+
+bool is_in_code(const Case& facts, Side side, std::string_view word) { return is_in_code_after(facts, side, word, {}); }
 
 }  // namespace porttool

@@ -13,6 +13,12 @@
 
 namespace porttool {
 
+/// True if a file's text has `word` as a whole word, be it in a comment.
+bool says_word(std::string_view text, std::string_view word);
+
+/// True if some file of the side has that word elsewhere than in a comment.
+bool is_in_code(const Case& facts, Side side, std::string_view word);
+
 /// The units of both sides by the last part of their names, and what a name means where it stands without its scope.
 class OwnNames {
 public:

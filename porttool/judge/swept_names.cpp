@@ -7,6 +7,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "porttool/judge/own_names.h"
 #include "porttool/language/words.h"
 #include "porttool/scan/declared_words.h"
 #include "porttool/scan/scan.h"
@@ -52,22 +53,6 @@ bool is_bare_alias(const ScannedFile& file, const DeclaredWord& said) {
     return !is_made && words <= kBare;
 }
 
-bool has_word(std::string_view text, std::string_view word) {
-    const auto is_part = [](char c) { return is_word_token(std::string_view(&c, 1)) || (c >= '0' && c <= '9'); };
-    for (size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-        const size_t end = at + word.size();
-        if ((at == 0 || !is_part(text[at - 1])) && (end == text.size() || !is_part(text[end]))) return true;
-    }
-    return false;
-}
-
-/// True if it stands elsewhere than in a comment.
-bool is_in_code(const ScannedFile& file, std::string_view name) {
-    for (size_t i = 0; i < file.lexed.tokens.size(); ++i)
-        if (file.lexed.view(file.lexed.tokens[i]) == name) return true;
-    return false;
-}
-
 bool has_name(const UnitText& text, std::string_view name) {
     bool out = false;
     text.each_name([&](std::string_view one) { out = out || one == name; });
@@ -102,7 +87,9 @@ bool SweptNames::is_swept_type(Side side, const Name& name) {
     if (times(side, name).alone < kSeveral) return false;
     if (types_[side].size() >= kMostNames && !types_[side].contains(name)) return false;
     const auto [known, is_first] = types_[side].try_emplace(name, false);
-    if (is_first) known->second = is_gone(side, name.first) && is_type(side, name.second) && is_new(side, name.second);
+    if (is_first)
+        known->second =
+            !is_in_code(facts_, side, name.first) && is_type(side, name.second) && is_new(side, name.second);
     return known->second;
 }
 
@@ -114,8 +101,9 @@ bool SweptNames::is_swept_on_both(const Name& name) {
     if (of_both_.size() >= kMostNames && !of_both_.contains(name)) return false;
     const auto [known, is_first] = of_both_.try_emplace(name, false);
     if (is_first)
-        known->second = std::all_of(std::begin(kBothSides), std::end(kBothSides),
-                                    [&](Side side) { return is_gone(side, name.first) && is_new(side, name.second); });
+        known->second = std::all_of(std::begin(kBothSides), std::end(kBothSides), [&](Side side) {
+            return !is_in_code(facts_, side, name.first) && is_new(side, name.second);
+        });
     return known->second;
 }
 
@@ -127,20 +115,13 @@ bool SweptNames::is_one_to_one(Side side, const Name& name) {
     });
 }
 
-bool SweptNames::is_gone(Side side, const std::string& name) const {
-    const FilesOfSide& files = (*facts_.files)[side];
-    for (size_t i = 0; i < files.size(); ++i)
-        if (has_word(files.text(i), name) && is_in_code(files.scanned(i), name)) return false;
-    return true;
-}
-
 /// True if the side declares a type, or another name of one, by that word.
 bool SweptNames::is_type(Side side, const std::string& name) const {
     for (const auto& [id, unit] : facts_.units(side))
         if (unit.kind == UnitKind::Struct && bare_leaf_of(unit.name) == name) return true;
     const FilesOfSide& files = (*facts_.files)[side];
     for (size_t i = 0; i < files.size(); ++i) {
-        if (!has_word(files.text(i), name)) continue;
+        if (!says_word(files.text(i), name)) continue;
         const std::vector<DeclaredWord> said = declared_words(files.scanned(i));
         if (std::any_of(said.begin(), said.end(), [&](const DeclaredWord& one) {
                 return one.kind == DeclaredWord::Kind::Type && word_of(files.scanned(i), one) == name &&

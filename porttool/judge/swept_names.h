@@ -35,7 +35,6 @@ private:
     bool is_swept_type(Side side, const Name& name);
     bool is_swept_on_both(const Name& name);
     bool is_one_to_one(Side side, const Name& name);
-    bool is_gone(Side side, const std::string& name) const;
     bool is_type(Side side, const std::string& name) const;
     bool is_new(Side side, const std::string& name) const;
     Times times(Side side, const Name& name);
