@@ -62,13 +62,6 @@ size_t words_in(const std::map<std::string, size_t>& counts) {
     return out;
 }
 
-/// All words that came and went, of whatever kind.
-size_t tokens_edited(const LoneTexts& texts) {
-    const std::vector<DiffStep> steps = diff(texts.before, texts.now);
-    return static_cast<size_t>(
-        std::count_if(steps.begin(), steps.end(), [](const DiffStep& step) { return step.kind != DiffStep::Keep; }));
-}
-
 /// True if what went has gone to another place, or one number took the place of another. In a long edit numbers come
 /// and go with what they stand in.
 bool reorders_or_retunes_words(const SideEdit& edit) {
@@ -79,8 +72,14 @@ bool reorders_or_retunes_words(const SideEdit& edit) {
     return edit.gained == edit.lost || (edit.size < kLong && any_number(edit.gained) && any_number(edit.lost));
 }
 
-}  // namespace
-
+/// What speaks for an edit that is owed, as a logistic regression sums it up: 0 is even for an edit of which nothing
+/// else is known. How much of the two texts is alike, how much around the edit, how much of what went, and which of the
+/// names that came are known there. Of texts that can be laid side by side.
+///
+///     before      y[i] = k * x[i];                                      port
+///     now         y[i] = k * x[i] + lim;                                all that stands around has its like
+///     or now      y[i] = k * x[i]; log.push(ticks, "done", where());    what came is beside it, of names unknown there
+///     other       z[i] = k * x[i]; z[i] += lim;                         source
 double weight_of_evidence(LaidEdit& laid) {
     const SideEdit& edit = laid.edit();
     const SideBySide& beside = laid.before();
@@ -106,12 +105,14 @@ double weight_of_evidence(LaidEdit& laid) {
     return -3.6 + 1.5 * of_texts + 1.55 * of_place + 1.35 * of_lost + 1.15 * known_names(laid);
 }
 
+}  // namespace
+
 bool is_likely_owed(LaidEdit& laid) {
     constexpr double kLikely = -0.5;
     constexpr size_t kMeant = 12;  // words of an edit that is no slip
     constexpr size_t kLeast = 64;  // words of a text whose likeness tells something
-    if (tokens_edited(laid.texts()) <= kMeant || !laid.can_be_laid() || touches_what_counts(laid) ||
-        reorders_or_retunes_words(laid.edit()) ||
+    if (words_edited(laid.texts().before, laid.texts().now) <= kMeant || !laid.can_be_laid() ||
+        touches_what_counts(laid) || reorders_or_retunes_words(laid.edit()) ||
         std::min(words_in(laid.edit().had), words_in(laid.other().has)) < kLeast)
         return true;
     return weight_of_evidence(laid) >= kLikely;

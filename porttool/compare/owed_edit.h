@@ -11,14 +11,4 @@ namespace porttool {
 /// order, of numbers in the place of numbers, and of short texts, whose words have their like by chance.
 bool is_likely_owed(LaidEdit& laid);
 
-/// What speaks for it, as a logistic regression sums it up: 0 is even for an edit of which nothing else is known. How
-/// much of the two texts is alike, how much around the edit, how much of what went, and which of the names that came
-/// are known there. Of texts that can be laid side by side.
-///
-///     before      y[i] = k * x[i];                                      port
-///     now         y[i] = k * x[i] + lim;                                all that stands around has its like
-///     or now      y[i] = k * x[i]; log.push(ticks, "done", where());    what came is beside it, of names unknown there
-///     other       z[i] = k * x[i]; z[i] += lim;                         source
-double weight_of_evidence(LaidEdit& laid);
-
 }  // namespace porttool

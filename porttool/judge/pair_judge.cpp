@@ -98,12 +98,6 @@ void weaken(const JudgedPair& pair, Finding& finding, Level level, const std::st
         "Compare the two once; if nothing is left to port, run: porttool accept " + argument(pair.id.source, finding);
 }
 
-size_t words_edited(const Words& before, const Words& now) {
-    const std::vector<DiffStep> steps = diff(before, now);
-    return static_cast<size_t>(
-        std::count_if(steps.begin(), steps.end(), [](const DiffStep& step) { return step.kind != DiffStep::Keep; }));
-}
-
 /// What a person would change by mistake.
 bool is_of_few_words(const Words& before, const Words& now) {
     constexpr size_t kFew = 4;

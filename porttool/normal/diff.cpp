@@ -214,4 +214,10 @@ std::vector<DiffStep> diff(const std::vector<uint32_t>& before, const std::vecto
     return diff_of(before, now);
 }
 
+size_t words_edited(const Words& before, const Words& now) {
+    const std::vector<DiffStep> steps = diff(before, now);
+    return static_cast<size_t>(
+        std::count_if(steps.begin(), steps.end(), [](const DiffStep& step) { return step.kind != DiffStep::Keep; }));
+}
+
 }  // namespace porttool

@@ -32,4 +32,7 @@ inline std::vector<DiffStep> diff(const std::vector<std::string>& before, const 
 /// The same of texts that are known by numbers.
 std::vector<DiffStep> diff(const std::vector<uint32_t>& before, const std::vector<uint32_t>& now);
 
+/// How many words came and went, of whatever kind.
+size_t words_edited(const Words& before, const Words& now);
+
 }  // namespace porttool
