@@ -17,17 +17,19 @@ using nlohmann::json;
 enum class Treatment {
     supported,
     without_effect,  // nothing one sees in a still picture depends on it
-    left_out,        // the picture lacks something, but is the scene's
+    left_out,        // the picture lacks something, but is the scene's, unless the file says that it is not
     needed,          // without it there is no picture of the scene
 };
 
 struct ExtensionRow {
     std::string_view name;  // with a last `*`: all that begin so
     Treatment treatment;
-    std::string_view note = {};  // left_out: what is missing; needed: the remedy
+    std::string_view remedy = {};
+    std::string_view missing = {};  // left_out: of the picture
 };
 
 constexpr std::string_view kOtherImages = "export it with PNG, JPEG or WebP images";
+constexpr std::string_view kWithoutIt = "export it without";
 
 // The first row that fits counts.
 constexpr ExtensionRow kExtensionRows[] = {
@@ -85,18 +87,21 @@ constexpr ExtensionRow kExtensionRows[] = {
     {"VRMC_vrm*", Treatment::without_effect},
 
     {"KHR_materials_diffuse_transmission", Treatment::left_out,
-     "no light comes through; KHR_materials_transmission lets some"},
-    {"KHR_materials_dispersion", Treatment::left_out, "all colours are refracted alike"},
-    {"KHR_materials_*", Treatment::left_out},
-    {"ADOBE_materials_*", Treatment::left_out},
-    {"EXT_lights_ies", Treatment::left_out, "such lights shine the same all round"},
-    {"VRMC_materials_*", Treatment::left_out},
+     "export it with KHR_materials_transmission, which lets light through", "no light comes through"},
+    {"KHR_materials_dispersion", Treatment::left_out,
+     "export it with KHR_materials_ior and KHR_materials_volume alone, which refract",
+     "all colours are refracted alike"},
+    {"KHR_materials_*", Treatment::left_out, kWithoutIt},
+    {"ADOBE_materials_*", Treatment::left_out, kWithoutIt},
+    {"EXT_lights_ies", Treatment::left_out, "export them as spots of KHR_lights_punctual",
+     "such lights shine the same all round"},
+    {"VRMC_materials_*", Treatment::left_out, kWithoutIt},
 
     {"EXT_texture_astc", Treatment::needed, kOtherImages},
     {"EXT_texture_avif", Treatment::needed, kOtherImages},
     {"KHR_texture_basisu", Treatment::needed, kOtherImages},
     {"MSFT_texture_dds", Treatment::needed, kOtherImages},
-    {"*", Treatment::needed, "export it without"},
+    {"*", Treatment::needed, kWithoutIt},
 };
 
 const ExtensionRow& row_of(std::string_view name) {
@@ -115,6 +120,10 @@ bool has_other_images(const json& document, std::string_view name) {
         return texture.contains("source") || !texture.contains("extensions") || !texture["extensions"].contains(name) ||
                texture["extensions"].contains("EXT_texture_webp");
     });
+}
+
+bool is_missed(const ExtensionRow& row) {
+    return row.treatment == Treatment::left_out || row.treatment == Treatment::needed;
 }
 
 std::vector<std::string> variant_names(const json& document) {
@@ -151,19 +160,24 @@ const json* mapped_material(const json& primitive, uint64_t variant) {
 }  // namespace
 
 void check_extensions(const json& document, Omissions& omissions) {
-    for (const json& entry : document.value("extensionsRequired", json::array())) {
-        const std::string name = entry;
+    const json required = document.value("extensionsRequired", json::array());
+    for (size_t i = 0; i < required.size(); ++i) {
+        const std::string name = required[i];
         const ExtensionRow& row = row_of(name);
-        if (row.treatment != Treatment::needed || has_other_images(document, name)) continue;
-        fail_at("/extensionsRequired",
-                "the file cannot be shown without " + name + ", which is not supported; " + std::string(row.note));
+        if (!is_missed(row) || has_other_images(document, name)) continue;
+        const std::string instead = row.treatment == Treatment::left_out
+                                        ? ", or take it out of extensionsRequired to see the picture that is left"
+                                        : "";
+        fail_at("/extensionsRequired/" + std::to_string(i), "the file cannot be shown without " + name +
+                                                                ", which is not supported; " + std::string(row.remedy) +
+                                                                instead);
     }
     for (const json& entry : document.value("extensionsUsed", json::array())) {
         const std::string name = entry;
         const ExtensionRow& row = row_of(name);
-        const bool missed = row.treatment == Treatment::left_out || row.treatment == Treatment::needed;
-        if (!missed || has_other_images(document, name)) continue;
-        omissions.add("extension " + name, row.treatment == Treatment::left_out ? std::string(row.note) : "");
+        if (!is_missed(row) || has_other_images(document, name)) continue;
+        const std::string missing(row.missing), remedy(row.remedy);
+        omissions.add("extension " + name, missing.empty() ? remedy : missing + "; " + remedy);
     }
 }
 

@@ -94,6 +94,7 @@ class Model:
 
 
 COLOR = data_uri("image/png", png(200, 100, 50))
+LEFT_OUT = "dispersion", "diffuse_transmission"
 
 
 def geometry():
@@ -312,8 +313,11 @@ def materials():
         if name == "pbrSpecularGlossiness":
             content["specularGlossinessTexture"] = {"index": model.texture(COLOR)}
         model.material(emissiveFactor=[1, 1, 1], extensions={"KHR_materials_" + name: content})
-        model.use("KHR_materials_" + name)
+        model.use("KHR_materials_" + name, required=name not in LEFT_OUT)
         model.write(name)
+        if name in LEFT_OUT:
+            model.root["extensionsRequired"] = ["KHR_materials_" + name]
+            model.write(name + "_required")
 
     model = Model()
     model.material(extensions={"KHR_materials_volume": {"thicknessFactor": 1, "attenuationDistance": 2,
