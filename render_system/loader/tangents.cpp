@@ -12,23 +12,11 @@ namespace render_system {
 
 namespace {
 
-// Corners with the same key share one tangent.
+// Vertices with the same key share one tangent.
 struct Key {
     float values[9];  // position, normal, uv, handedness
 
     bool operator==(const Key& other) const { return std::memcmp(values, other.values, sizeof(values)) == 0; }
-};
-
-struct KeyHash {
-    size_t operator()(const Key& key) const {
-        uint64_t hash = 0xCBF29CE484222325u;  // FNV-1a, over words
-        for (float value : key.values) {
-            uint32_t bits;
-            std::memcpy(&bits, &value, sizeof(bits));
-            hash = (hash ^ bits) * 0x100000001B3u;
-        }
-        return static_cast<size_t>(hash ^ hash >> 29);
-    }
 };
 
 struct Corner {
@@ -71,10 +59,38 @@ Corner corner_of(const HostMesh& mesh, const CoreTextureSlot& slot, const glm::u
     return result;
 }
 
-Key key_of(const HostMesh& mesh, const CoreTextureSlot& slot, uint32_t vertex, float handedness) {
+Key key_of(const HostMesh& mesh, const CoreTextureSlot& slot, uint32_t vertex) {
     const glm::vec3 p = mesh.positions[vertex], n = mesh.normals[vertex];
     const glm::vec2 uv = uv_of(mesh, slot, vertex);
-    return {{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y, handedness}};
+    return {{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y, mesh.tangents[vertex].w}};
+}
+
+// FNV-1a, over words.
+uint64_t hash_of(const Key& key) {
+    uint64_t hash = 0xCBF29CE484222325u;
+    for (float value : key.values) {
+        uint32_t bits;
+        std::memcpy(&bits, &value, sizeof(bits));
+        hash = (hash ^ bits) * 0x100000001B3u;
+        hash ^= hash >> 29;
+    }
+    return hash;
+}
+
+// Of each vertex from `first` on, whose tangents' w is their handedness, the lowest that shares its tangent. Finding it
+// takes 9 bytes a vertex, where a table of the keys themselves takes 80.
+std::vector<uint32_t> sharing_vertices(const HostMesh& mesh, const CoreTextureSlot& slot, size_t first) {
+    const size_t count = mesh.positions.size() - first;
+    std::vector<uint32_t> table(count + count / 4 + 1, NONE), lowest(count);
+    for (size_t i = 0; i < count; ++i) {
+        const auto vertex = static_cast<uint32_t>(first + i);
+        const Key key = key_of(mesh, slot, vertex);
+        size_t at = hash_of(key) % table.size();
+        while (table[at] != NONE && !(key_of(mesh, slot, table[at]) == key)) at = at + 1 < table.size() ? at + 1 : 0;
+        if (table[at] == NONE) table[at] = vertex;
+        lowest[i] = table[at];
+    }
+    return lowest;
 }
 
 uint32_t duplicate_vertex(HostMesh& mesh, uint32_t vertex) {
@@ -87,24 +103,31 @@ uint32_t duplicate_vertex(HostMesh& mesh, uint32_t vertex) {
     return static_cast<uint32_t>(mesh.positions.size() - 1);
 }
 
-// Gives each corner a vertex of its own handedness. Answers what those added were split from.
+// Gives each corner a vertex of its own handedness, which is its tangent's w from then on. Answers what those added
+// were split from.
 std::vector<uint32_t> split_vertices(HostMesh& mesh, size_t first_vertex, size_t first_triangle,
-                                     const std::vector<Corner>& corners) {
-    std::vector<float> handedness(mesh.positions.size() - first_vertex, 0.0f);  // 0: not decided yet
+                                     const CoreTextureSlot& slot) {
     std::unordered_map<uint32_t, uint32_t> twin;
     std::vector<uint32_t> sources;
-    for (size_t i = 0; i < corners.size(); ++i) {
-        uint32_t& vertex = mesh.triangles[first_triangle + i / 3][static_cast<int>(i % 3)];
-        float& own = handedness[vertex - first_vertex];
-        if (corners[i].direction == glm::vec3(0.0f)) continue;
-        if (own == 0.0f) own = corners[i].handedness;
-        if (own == corners[i].handedness) continue;
-        const auto [entry, is_new] = twin.try_emplace(vertex, 0);
-        if (is_new) {
-            entry->second = duplicate_vertex(mesh, vertex);
-            sources.push_back(uint32_t{vertex});
+    for (size_t i = first_triangle; i < mesh.triangles.size(); ++i) {
+        for (int c = 0; c < 3; ++c) {
+            const Corner corner = corner_of(mesh, slot, mesh.triangles[i], c);
+            if (corner.direction == glm::vec3(0.0f)) continue;
+            uint32_t& vertex = mesh.triangles[i][c];
+            float& own = mesh.tangents[vertex].w;  // 0: not decided yet
+            if (own == 0.0f) own = corner.handedness;
+            if (own == corner.handedness) continue;
+            const auto [entry, is_new] = twin.try_emplace(vertex, 0);
+            if (is_new) {
+                entry->second = duplicate_vertex(mesh, vertex);
+                mesh.tangents[entry->second].w = corner.handedness;
+                sources.push_back(uint32_t{vertex});
+            }
+            vertex = entry->second;
         }
-        vertex = entry->second;
+    }
+    for (size_t vertex = first_vertex; vertex < mesh.positions.size(); ++vertex) {
+        if (mesh.tangents[vertex].w == 0.0f) mesh.tangents[vertex].w = 1.0f;
     }
     return sources;
 }
@@ -118,25 +141,20 @@ glm::vec3 any_tangent(const glm::vec3& normal) {
 
 std::vector<uint32_t> generate_tangents(HostMesh& mesh, size_t first_vertex, size_t first_triangle,
                                         const CoreTextureSlot& slot) {
-    const size_t corner_count = (mesh.triangles.size() - first_triangle) * 3;
-    std::vector<Corner> corners(corner_count);
-    std::unordered_map<Key, glm::vec3, KeyHash> sums;
-    const auto vertex_of = [&](size_t corner) {
-        return mesh.triangles[first_triangle + corner / 3][static_cast<int>(corner % 3)];
-    };
-    for (size_t i = 0; i < corner_count; ++i) {
-        corners[i] = corner_of(mesh, slot, mesh.triangles[first_triangle + i / 3], static_cast<int>(i % 3));
-        sums[key_of(mesh, slot, vertex_of(i), corners[i].handedness)] += corners[i].direction;
+    std::vector<uint32_t> sources = split_vertices(mesh, first_vertex, first_triangle, slot);
+    const std::vector<uint32_t> lowest = sharing_vertices(mesh, slot, first_vertex);
+    for (size_t i = first_triangle; i < mesh.triangles.size(); ++i) {
+        for (int c = 0; c < 3; ++c) {
+            glm::vec4& sum = mesh.tangents[lowest[mesh.triangles[i][c] - first_vertex]];
+            sum += glm::vec4(corner_of(mesh, slot, mesh.triangles[i], c).direction, 0.0f);
+        }
     }
-    std::vector<uint32_t> sources = split_vertices(mesh, first_vertex, first_triangle, corners);
-    for (size_t i = 0; i < corner_count; ++i) {
-        const uint32_t vertex = vertex_of(i);
-        const glm::vec3 tangent = unit_or_zero(sums[key_of(mesh, slot, vertex, corners[i].handedness)]);
-        if (tangent != glm::vec3(0.0f)) mesh.tangents[vertex] = glm::vec4(tangent, corners[i].handedness);
-    }
-    for (size_t vertex = first_vertex; vertex < mesh.positions.size(); ++vertex) {
-        if (glm::vec3(mesh.tangents[vertex]) != glm::vec3(0.0f)) continue;
-        mesh.tangents[vertex] = glm::vec4(any_tangent(mesh.normals[vertex]), 1.0f);
+    // The lowest holds the sum, and comes last.
+    for (size_t vertex = mesh.positions.size(); vertex-- > first_vertex;) {
+        const glm::vec4 sum = mesh.tangents[lowest[vertex - first_vertex]];
+        const glm::vec3 tangent = unit_or_zero(glm::vec3(sum));
+        mesh.tangents[vertex] =
+            glm::vec4(tangent != glm::vec3(0.0f) ? tangent : any_tangent(mesh.normals[vertex]), sum.w);
     }
     return sources;
 }

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
+#include <map>
+#include <random>
 
 #include "render_system/core_checks.h"
 #include "tests/render_system/gltf_file.h"
@@ -328,6 +331,60 @@ TEST(LoaderGeometry, SplitsVerticesThatMirroredTrianglesShare) {
         EXPECT_EQ(mesh.tangents[t.x].w, mesh.tangents[t.z].w);
     }
     EXPECT_NE(mesh.tangents[mesh.triangles[0].x].w, mesh.tangents[mesh.triangles[1].x].w);
+}
+
+// Facets that share no vertex, on a few points: the tangents are those of the same mesh with its vertices joined, here
+// added up in double precision from Mikkelsen's definition.
+TEST(LoaderGeometry, FacetsShareTheTangentsOfTheirPoints) {
+    std::mt19937 random(5);
+    const auto pick = [&random](uint32_t count) { return static_cast<float>(random() % count); };
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec2> uvs;
+    while (positions.size() < 3 * 200) {
+        const glm::vec3 corners[3] = {{pick(3), pick(3), 0.0f}, {pick(3), pick(3), 0.0f}, {pick(3), pick(3), 0.0f}};
+        if (glm::cross(corners[1] - corners[0], corners[2] - corners[0]).z == 0.0f) continue;
+        for (const glm::vec3& corner : corners) {
+            positions.push_back(corner);
+            uvs.emplace_back(pick(2), pick(3));
+        }
+    }
+    GltfFile file;
+    const int position = file.add(positions), uv = file.add(uvs);
+    const int normal = file.add(std::vector<glm::vec3>(positions.size(), glm::vec3(0, 0, 1)));
+    file.add_material({{"normalTexture", {{"index", file.add_texture(png_uri(1, 1, 3, {128, 128, 255}))}}}});
+    file.add_mesh({{"attributes", {{"POSITION", position}, {"NORMAL", normal}, {"TEXCOORD_0", uv}}}, {"material", 0}});
+    file.add_node({{"mesh", 0}});
+    const HostScene scene = loaded(file);
+    const HostMesh& mesh = scene.meshes()[0];
+    ASSERT_EQ(mesh.positions.size(), positions.size());
+
+    using Point = std::array<float, 5>;  // x, y, u, v, handedness
+    std::map<Point, glm::dvec2> sums;
+    std::vector<Point> points;
+    for (size_t i = 0; i < positions.size(); ++i) {
+        const size_t first = i - i % 3, j = first + (i + 1) % 3, k = first + (i + 2) % 3;
+        const glm::dvec2 e1(positions[j] - positions[i]), e2(positions[k] - positions[i]);
+        const glm::dvec2 d1(uvs[j] - uvs[i]), d2(uvs[k] - uvs[i]);
+        const double area = d1.x * d2.y - d1.y * d2.x;
+        const float handedness = area > 0.0 ? -1.0f : 1.0f;
+        points.push_back({positions[i].x, positions[i].y, uvs[i].x, uvs[i].y, handedness});
+        const glm::dvec2 growing = (e1 * d2.y - e2 * d1.y) * (area > 0.0 ? 1.0 : -1.0);
+        if (area == 0.0) continue;
+        const double angle = std::acos(glm::dot(glm::normalize(e1), glm::normalize(e2)));
+        sums[points.back()] += glm::normalize(growing) * angle;
+    }
+    int told = 0;
+    for (size_t i = 0; i < positions.size(); ++i) {
+        const glm::vec4& tangent = mesh.tangents[i];
+        EXPECT_EQ(tangent.w, points[i][4]);
+        EXPECT_NEAR(glm::length(glm::vec3(tangent)), 1.0f, 1e-5f);
+        const auto sum = sums.find(points[i]);
+        if (sum == sums.end() || glm::length(sum->second) < 1e-3) continue;
+        EXPECT_LT(glm::length(glm::dvec2(tangent) - glm::normalize(sum->second)), 1e-3) << i;
+        ++told;
+    }
+    EXPECT_GT(told, 300);
+    EXPECT_GT(told, 2 * static_cast<int>(sums.size()));  // most are shared
 }
 
 TEST(LoaderGeometry, TangentsWithoutUvsAreStillPerpendicularUnits) {
