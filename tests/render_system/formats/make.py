@@ -128,6 +128,7 @@ def geometry():
 
     model = Model()
     model.primitive["targets"] = [{"POSITION": 0}]
+    model.root["meshes"][0]["weights"] = [0.5]
     model.write("morph_targets")
 
 
@@ -261,7 +262,8 @@ def textures():
 
     model = Model()
     attributes = model.primitive["attributes"]
-    attributes["TEXCOORD_2"] = attributes["TEXCOORD_3"] = attributes["TEXCOORD_0"]
+    attributes["TEXCOORD_2"] = model.floats("VEC2", [0, 2, 2, 2, 0, 0])
+    attributes["TEXCOORD_3"] = model.floats("VEC2", [0, 3, 3, 3, 0, 0])
     texture = model.texture(COLOR)
     model.material(pbrMetallicRoughness={"baseColorTexture": {"index": texture, "texCoord": 3}},
                    emissiveFactor=[1, 1, 1], emissiveTexture={"index": texture, "texCoord": 2})
@@ -336,6 +338,73 @@ def materials():
     model.write("variants")
 
 
+def fbx_property(value):
+    """An FBX property: text, an int of 32 bits, one of 64 (as a list of one), a float, or a tuple of a type and its array."""
+    if isinstance(value, str):
+        text = value.encode()
+        return b"S" + struct.pack("<I", len(text)) + text
+    if isinstance(value, tuple):
+        kind, numbers, packed = value
+        data = struct.pack(f"<{len(numbers)}{kind}", *numbers)
+        data = zlib.compress(data) if packed else data
+        return kind.encode() + struct.pack("<3I", len(numbers), packed, len(data)) + data
+    if isinstance(value, list):
+        return b"L" + struct.pack("<q", value[0])
+    return b"I" + struct.pack("<i", value) if isinstance(value, int) else b"D" + struct.pack("<d", value)
+
+
+def fbx_node(at, name, *properties, inner=()):
+    """A node of the binary form of FBX 7.4 that begins at byte `at`; inner nodes are lists of these arguments after `at`."""
+    data = b"".join(map(fbx_property, properties))
+    end = at + 13 + len(name) + len(data)
+    nodes = b""
+    for part in inner:
+        *arguments, more = part if isinstance(part[-1], dict) else (*part, {})
+        nodes += fbx_node(end + len(nodes), *arguments, **more)
+    nodes += b"\0" * 13 if inner else b""
+    return struct.pack("<3IB", end + len(nodes), len(properties), len(data), len(name)) + name.encode() + data + nodes
+
+
+def binary_fbx():
+    """What sheet.fbx says, in FBX's binary form."""
+    def block(name, *properties, inner):
+        return (name, *properties, {"inner": inner})
+
+    def named(name, kind):
+        return f"{name}\0\1{kind}"
+
+    def layer(kind):
+        return block("LayerElement", inner=[("Type", kind), ("TypedIndex", 0)])
+
+    def mapping(how):
+        return [("Version", 101), ("Name", ""), ("MappingInformationType", how), ("ReferenceInformationType", "IndexToDirect")]
+
+    geometry_node = block("Geometry", [10], named("sheet", "Geometry"), "Mesh", inner=[
+        ("Vertices", ("d", [0, 0, 0, 2, 0, 0, 2, 1, 0, 0, 1, 0], 1)), ("PolygonVertexIndex", ("i", [0, 1, 2, -4], 0)),
+        ("GeometryVersion", 124),
+        block("LayerElementUV", 0, inner=[*mapping("ByPolygonVertex"), ("UV", ("d", [0, 0, 1, 0, 1, 1, 0, 1], 1)),
+                                          ("UVIndex", ("i", [0, 1, 2, 3], 0))]),
+        block("LayerElementMaterial", 0, inner=[*mapping("AllSame"), ("Materials", ("i", [0], 0))]),
+        block("Layer", 0, inner=[("Version", 100), layer("LayerElementUV"), layer("LayerElementMaterial")])])
+    move = ("P", "Lcl Translation", "Lcl Translation", "", "A", 0.0, 0.0, 5.0)
+    model = block("Model", [20], named("sheet", "Model"), "Mesh",
+                  inner=[("Version", 232), block("Properties70", inner=[move])])
+    paint = [("P", "DiffuseColor", "Color", "", "A", 0.5, 0.25, 0.125), ("P", "SpecularColor", "Color", "", "A", 1.0, 1.0, 1.0),
+             ("P", "ShininessExponent", "Number", "", "A", 30.0), ("P", "EmissiveColor", "Color", "", "A", 0.0, 1.0, 0.0)]
+    material = block("Material", [30], named("paint", "Material"), "",
+                     inner=[("Version", 102), ("ShadingModel", "phong"), block("Properties70", inner=paint)])
+    unit = ("P", "UnitScaleFactor", "double", "Number", "", 100.0)
+    top = [block("FBXHeaderExtension", inner=[("FBXHeaderVersion", 1003), ("FBXVersion", 7400)]),
+           block("GlobalSettings", inner=[("Version", 1000), block("Properties70", inner=[unit])]),
+           block("Objects", inner=[geometry_node, model, material]),
+           block("Connections", inner=[("C", "OO", [20], [0]), ("C", "OO", [10], [20]), ("C", "OO", [30], [20])])]
+    data = b"Kaydara FBX Binary  \0\x1a\0" + struct.pack("<I", 7400)
+    for *arguments, more in top:
+        data += fbx_node(len(data), *arguments, **more)
+    with open("sheet_binary.fbx", "wb") as file:
+        file.write(data + b"\0" * 13)
+
+
 if __name__ == "__main__":
-    for part in (geometry, packed, nodes, textures, materials):
+    for part in (geometry, packed, nodes, textures, materials, binary_fbx):
         part()
