@@ -18,6 +18,9 @@ const float SMOOTH_ALPHA = 1.0e-3f;
 // Of a coat, whose index is 1.5.
 const float COAT_F0 = 0.04f;
 
+// A smoother sheen is one of this roughness; its energies stand in the table's first line.
+const float SMOOTHEST_SHEEN = 0.07f;
+
 struct Bsdf {
     vec3 wo;
     vec3 side;           // geometric normal on the side of wo
@@ -189,19 +192,25 @@ Float sheen_shadow(Float cosine, Float roughness) {
     return exp_2(exponent * 1.44269504f);
 }
 
+// What white sheen returns of the light from that direction, and what that is scaled by.
+vec2 sheen_energy(Bsdf bsdf, Float cosine) {
+    Float line = (bsdf.sheen_roughness - SMOOTHEST_SHEEN) * 1.07526882f;
+    return lobe_energy(bsdf.sheen_row, cosine, line);
+}
+
 // Sets what concerns sheen, which lies above everything else and takes its share of the light (KHR_materials_sheen,
 // albedo scaling) and of the samples.
 Bsdf with_sheen(Bsdf below, Material material) {
     Bsdf bsdf = below;
     bsdf.sheen_strength = max_component(material.sheen_color);
-    bsdf.sheen_roughness = max(material.sheen_roughness, 0.07f);
+    bsdf.sheen_roughness = max(material.sheen_roughness, SMOOTHEST_SHEEN);
     bsdf.sheen_row = material.sheen_row;
     bsdf.sheen_color = material.sheen_color;
     bsdf.sheen_shadow = 0.0f;
     bsdf.under_sheen = 1.0f;
     bsdf.pick_sheen = 0.0f;
     if (any_lane(bsdf.sheen_strength > 0.0f)) {
-        vec2 energy = lobe_energy(bsdf.sheen_row, bsdf.wo.z, bsdf.sheen_roughness);
+        vec2 energy = sheen_energy(bsdf, bsdf.wo.z);
         bsdf.sheen_color = material.sheen_color * energy.y;
         bsdf.sheen_shadow = sheen_shadow(bsdf.wo.z, bsdf.sheen_roughness);
         Float returned = bsdf.sheen_strength * energy.x;
@@ -484,7 +493,7 @@ BsdfValue evaluate_refraction(Bsdf bsdf, vec3 wi, vec3 h, Float weight) {
 
 // Of the light between wo and wi, what sheen lets through to the rest.
 Float share_under_sheen(Bsdf bsdf, vec3 wi) {
-    Float returned = lobe_energy(bsdf.sheen_row, abs(wi.z), bsdf.sheen_roughness).x;
+    Float returned = sheen_energy(bsdf, abs(wi.z)).x;
     return min(bsdf.under_sheen, 1.0f - bsdf.sheen_strength * returned);
 }
 
