@@ -23,6 +23,16 @@ bool is_of_compilers(std::string_view name) {
                        [&](std::string_view begin) { return name.starts_with(begin); });
 }
 
+/// `A` of `# ifdef A`, `# if A` and `# if defined ( A )`, which begin at `at`; "" for any other condition.
+std::string_view macro_asked_for(const Words& words, size_t at, size_t end) {
+    size_t i = at + 2;
+    if (i + 4 == end && words[i] == "defined" && words[i + 1] == "(")
+        i += 2;
+    else if (i + 1 != end)
+        return {};
+    return is_word_token(words[i]) && roles_of(words[i]) == 0 ? words[i] : std::string_view();
+}
+
 /// A text as a compiler reads it to which the macros of some branches mean nothing.
 class BranchReader {
 public:
@@ -73,7 +83,7 @@ private:
 
     size_t read_opening(size_t at) {
         const size_t end = opening_end(at);
-        const std::string_view macro = end > at ? macro_asked_for(at, end) : std::string_view();
+        const std::string_view macro = end > at ? macro_asked_for(words_, at, end) : std::string_view();
         const bool is_own = !macro.empty() && !known_.contains(macro);
         open_.push_back({is_own, !is_own || words_[at + 1] == "ifndef"});
         if (!is_own) return at;
@@ -87,16 +97,6 @@ private:
         if (const size_t end = directive_end(words_, at); end != 0 || at + 3 >= words_.size()) return end;
         const std::string_view next = words_[at + 3];
         return words_[at + 1] == "if" && (is_word_token(next) || is_one_of(next, {"#", "{", "}"})) ? at + 3 : 0;
-    }
-
-    /// `A` of `ifdef A`, `if A` and `if defined ( A )`; "" for any other condition.
-    std::string_view macro_asked_for(size_t at, size_t end) const {
-        size_t i = at + 2;
-        if (i + 4 == end && words_[i] == "defined" && words_[i + 1] == "(")
-            i += 2;
-        else if (i + 1 != end)
-            return {};
-        return is_word_token(words_[i]) && roles_of(words_[i]) == 0 ? words_[i] : std::string_view();
     }
 
     const Words& words_;
@@ -124,6 +124,23 @@ std::set<std::string_view> macros_of_added_branches(const Words& before, const W
     std::set<std::string_view> macros = reader.macros();
     macros.insert(old.macros().begin(), old.macros().end());
     return macros;
+}
+
+std::string without_macros(const LexedText& file, const std::set<std::string_view>& macros) {
+    std::string out;
+    size_t copied = 0;
+    for (const Directive& directive : file.directives) {
+        if (directive.kind != DirectiveKind::If) continue;
+        Words words;
+        for (uint32_t i = directive.first_token; i < directive.end_token; ++i) words.push_back(file.view(i));
+        const std::string_view macro = macro_asked_for(words, 0, words.size());
+        if (!macros.contains(macro)) continue;
+        const Token& last = file.tokens[directive.end_token - 1];
+        out.append(file.text, copied, file.tokens[directive.first_token].offset - copied);
+        out += words[1] == "ifndef" ? "#if 1" : "#if 0";
+        copied = last.offset + last.length;
+    }
+    return out.append(file.text, copied);
 }
 
 }  // namespace porttool

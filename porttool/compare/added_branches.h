@@ -3,9 +3,11 @@
 #pragma once
 
 #include <set>
+#include <string>
 #include <string_view>
 
 #include "porttool/normal/normal_text.h"
+#include "porttool/scan/token.h"
 
 namespace porttool {
 
@@ -15,5 +17,9 @@ namespace porttool {
 ///
 ///     sum += at ( i ) ;        # if IMAGES sum += fetch ( i ) ; # else sum += at ( i ) ; # endif
 std::set<std::string_view> macros_of_added_branches(const Words& before, const Words& now);
+
+/// A file as a compiler reads it that has never heard of some macros: what asks for one of them is `#if 0`, or `#if 1`
+/// where it asks for its absence.
+std::string without_macros(const LexedText& file, const std::set<std::string_view>& macros);
 
 }  // namespace porttool

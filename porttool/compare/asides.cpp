@@ -121,13 +121,27 @@ public:
     Words run() {
         settle();
         Words out;
-        for (const Stretch& one : stretches_)
-            if (one.kind == Stretch::Kind::Plain) out.insert(out.end(), at(one.first), at(one.end));
+        for (const Stretch& one : stretches_) {
+            if (one.kind != Stretch::Kind::Plain) continue;
+            out.insert(out.end(), at(one.first), at(one.end));
+            drop_empty_branches(out);
+        }
         return out;
     }
 
 private:
     using Kind = Stretch::Kind;
+
+    /// Takes `# ifdef A # endif` and `# ifdef A # else # endif` from the end: what stood in there was an aside.
+    static void drop_empty_branches(Words& text) {
+        const auto ends_with = [&](size_t before, std::string_view word) {
+            return text.size() > before + 1 && text[text.size() - before - 1] == word &&
+                   text[text.size() - before - 2] == "#";
+        };
+        if (!ends_with(0, "endif")) return;
+        const size_t branch = ends_with(2, "else") ? 4 : 2;
+        if (ends_with(branch + 1, "ifdef") || ends_with(branch + 1, "ifndef")) text.resize(text.size() - branch - 3);
+    }
 
     Words::const_iterator at(size_t i) const { return tokens_.begin() + static_cast<std::ptrdiff_t>(i); }
     std::string_view word(size_t i) const { return i < tokens_.size() ? tokens_[i] : std::string_view(); }
@@ -158,6 +172,9 @@ private:
             Stretch next{i, i, Kind::Guarded};
             if (const auto guard = guards_.find(i); guard != guards_.end()) {
                 next.end = guard->second;
+            } else if (tokens_[i] == "#") {
+                next.end = std::min(tokens_.size(), i + words_of_line(word(i + 1)));
+                next.kind = Kind::Plain;
             } else {
                 next.end = std::max(end_of_statement(i), i + 1);
                 next.kind = tokens_[next.end - 1] == ";" ? kind_of_statement(i, next.end) : Kind::Plain;
@@ -165,6 +182,12 @@ private:
             stretches_.push_back(next);
             i = next.end;
         }
+    }
+
+    /// Of a line of the preprocessor, as far as words tell.
+    static size_t words_of_line(std::string_view kind) {
+        if (kind == "ifdef" || kind == "ifndef") return 3;
+        return kind == "else" || kind == "endif" ? 2 : 1;
     }
 
     /// Behind the semicolon of the statement without a block that begins at `i`, or where something else comes first.

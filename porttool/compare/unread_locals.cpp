@@ -199,11 +199,67 @@ private:
 
 constexpr size_t kMostForLocals = 20'000;  // words of both texts
 
+/// The parameters of a function's head, each with its words.
+struct Parameters {
+    size_t open = 0, close = 0;  ///< the parentheses; 0 for a text without a head
+    std::vector<Words> each;
+
+    explicit Parameters(const Words& text) {
+        const auto name = std::find(text.begin(), text.end(), "@");
+        const size_t at = static_cast<size_t>(name - text.begin()) + 1;
+        if (at >= text.size() || text[at] != "(") return;
+        int depth = 0;
+        std::vector<Words> found(1);
+        for (size_t i = at + 1; i < text.size(); ++i) {
+            if (depth == 0 && text[i] == ")") {
+                open = at;
+                close = i;
+                if (found.size() > 1 || !found[0].empty()) each = std::move(found);
+                return;
+            }
+            depth += is_one_of(text[i], {"(", "[", "<"}) ? 1 : is_one_of(text[i], {")", "]", ">"}) ? -1 : 0;
+            if (depth == 0 && text[i] == ",")
+                found.emplace_back();
+            else
+                found.back().push_back(text[i]);
+        }
+    }
+
+    bool have_values() const {
+        return std::any_of(each.begin(), each.end(), [](const Words& parameter) {
+            return std::find(parameter.begin(), parameter.end(), "=") != parameter.end();
+        });
+    }
+};
+
+/// True for a parameter whose name stands there alone, as `const Hit * hit` has it.
+bool is_unread(const Words& parameter, const Words& text) {
+    if (parameter.size() < 2 || !is_word_token(parameter.back()) || is_type_word(parameter.back())) return false;
+    return std::count(text.begin(), text.end(), parameter.back()) == 1;
+}
+
 }  // namespace
 
 bool only_concerns_unread_locals(const Words& before, const Words& now, const Dialect& dialect) {
     if (before.size() + now.size() > kMostForLocals) return false;
     return LocalsReader(before, dialect).without_unread() == LocalsReader(now, dialect).without_unread();
+}
+
+bool only_concerns_unread_parameters(const Words& before, const Words& now) {
+    if (before.size() > now.size()) return only_concerns_unread_parameters(now, before);
+    const Parameters few(before), many(now);
+    if (few.open == 0 || few.open != many.open || few.each.size() >= many.each.size()) return false;
+    const auto at = [](const Words& text, size_t i) { return text.begin() + static_cast<std::ptrdiff_t>(i); };
+    if (!std::equal(before.begin(), at(before, few.open), now.begin(), at(now, many.open)) ||
+        !std::equal(at(before, few.close), before.end(), at(now, many.close), now.end()) || many.have_values())
+        return false;
+    size_t kept = 0;
+    return std::all_of(many.each.begin(), many.each.end(),
+                       [&](const Words& parameter) {
+                           if (kept < few.each.size() && few.each[kept] == parameter) return ++kept > 0;
+                           return is_unread(parameter, now);
+                       }) &&
+           kept == few.each.size();
 }
 
 bool only_gives_first_values(const Words& before, const Words& now) {

@@ -13,6 +13,13 @@ namespace porttool {
 ///     int n = list.size(); float s; s = k; y[i] = k;        y[i] = k;
 bool only_concerns_unread_locals(const Words& before, const Words& now, const Dialect& dialect);
 
+/// True if all that an edit did was to bring, or take, parameters whose names stand nowhere else in the text. Those
+/// that both texts have keep their order, and none has a value for calls that leave it out, so no call means another
+/// one.
+///
+///     float @ ( Hit * hit , float k ) { return k ; }        float @ ( float k ) { return k ; }
+bool only_concerns_unread_parameters(const Words& before, const Words& now);
+
 /// True if all that an edit did was to give numbers of the function's own a first value where they are declared, which
 /// had none there. What was read before was written before that, or was nothing at all.
 ///

@@ -73,49 +73,52 @@ bool is_of_macros(const Finding& finding) {
            });
 }
 
-/// Findings on macros that have some in common, directly or through others: they are about one header, to all
-/// appearance.
-class MacroGroups {
+/// Findings that have some of their causes in common, directly or through others: macros of one header, to all
+/// appearance; names that gave way to others.
+class CauseGroups {
 public:
-    void add(Finding& finding) {
+    void add(Finding& finding, const std::vector<std::string>& causes) {
         const std::string start = std::string(rule_name(finding.rule)) + "\n" + finding.target_set + "\n";
         size_t group = groups_.size();
-        for (const std::string& macro : finding.details)
-            if (const auto known = by_macro_.find(start + macro); known != by_macro_.end())
+        for (const std::string& cause : causes)
+            if (const auto known = by_cause_.find(start + cause); known != by_cause_.end())
                 group = group == groups_.size() ? known->second : joined(group, known->second);
         if (group == groups_.size()) groups_.emplace_back();
         groups_[group].findings.push_back(&finding);
-        for (const std::string& macro : finding.details)
-            if (by_macro_.emplace(start + macro, group).second) groups_[group].macros.push_back(start + macro);
+        for (const std::string& cause : causes)
+            if (by_cause_.emplace(start + cause, group).second) groups_[group].causes.push_back(start + cause);
     }
 
-    void add_to(std::map<std::string, std::vector<Finding*>>& causes) {
-        for (size_t i = 0; i < groups_.size(); ++i) {
-            std::vector<Finding*>& findings = groups_[i].findings;
-            std::sort(findings.begin(), findings.end(), std::less<>());  // they lie in one list
-            if (!findings.empty()) causes[fmt::format("macros {}", i)] = std::move(findings);
+    /// The groups, each in the order of the findings.
+    std::vector<std::vector<Finding*>> run() {
+        std::vector<std::vector<Finding*>> out;
+        for (Group& group : groups_) {
+            if (group.findings.empty()) continue;
+            std::sort(group.findings.begin(), group.findings.end(), std::less<>());  // they lie in one list
+            out.push_back(std::move(group.findings));
         }
+        return out;
     }
 
 private:
     struct Group {
         std::vector<Finding*> findings;
-        std::vector<std::string> macros;
+        std::vector<std::string> causes;
     };
 
     /// The larger of two groups, with all of the other.
     size_t joined(size_t a, size_t b) {
         if (a == b) return a;
-        if (groups_[a].macros.size() < groups_[b].macros.size()) std::swap(a, b);
+        if (groups_[a].causes.size() < groups_[b].causes.size()) std::swap(a, b);
         const Group gone = std::exchange(groups_[b], {});
-        for (const std::string& macro : gone.macros) by_macro_[macro] = a;
-        groups_[a].macros.insert(groups_[a].macros.end(), gone.macros.begin(), gone.macros.end());
+        for (const std::string& cause : gone.causes) by_cause_[cause] = a;
+        groups_[a].causes.insert(groups_[a].causes.end(), gone.causes.begin(), gone.causes.end());
         groups_[a].findings.insert(groups_[a].findings.end(), gone.findings.begin(), gone.findings.end());
         return a;
     }
 
     std::vector<Group> groups_;
-    std::map<std::string, size_t> by_macro_;  ///< the group that a macro belongs to
+    std::map<std::string, size_t> by_cause_;  ///< the group that a cause belongs to
 };
 
 /// An id as it stands in the message of another finding: one that is no longer than a reader takes in, else its
@@ -139,6 +142,8 @@ std::string what_others_are(const Finding& first) {
             if (is_of_macros(first)) return "more findings are about such macros";
             if (is_of_branches(first.details)) return "more pairs have parts in other branches for the compiler";
             if (!types_exchanged(first.details).empty()) return "more pairs take other types, too";
+            if (is_in_doubt(first)) return "more pairs have edits that have little to do with their other side";
+            if (!first.causes.empty()) return "more pairs give things the same new names";
             return handed_on(first.details).empty() ? "more pairs have the same edit" : "more pairs hand on the same";
     }
 }
@@ -319,6 +324,13 @@ void tell_with(Finding& first, std::span<Finding* const> others, const std::stri
     if (others.size() > kShown) first.message += " ...";
 }
 
+/// The first of the worst findings of one cause tells the others.
+void tell_with_worst(std::vector<Finding*>& group) {
+    std::stable_sort(group.begin(), group.end(),
+                     [](const Finding* a, const Finding* b) { return a->level > b->level; });
+    tell_with(*group.front(), std::span(group).subspan(1), what_others_are(*group.front()));
+}
+
 /// True if others are told with it already.
 bool has_others(const Finding& finding) {
     return std::any_of(finding.details.begin(), finding.details.end(),
@@ -349,22 +361,25 @@ void fold_findings(FindingList& findings, const MapFile& map) {
                                             : cause_of(*finding);
         if (!cause.empty()) causes[cause].push_back(finding);
     }
-    MacroGroups macros;
+    CauseGroups macros;
     for (Finding* finding : loud)
-        if (is_of_macros(*finding)) macros.add(*finding);
-    macros.add_to(causes);
-    for (auto& [cause, group] : causes) {
-        if (group.size() < least_told_once(group)) continue;
-        std::stable_sort(group.begin(), group.end(),
-                         [](const Finding* a, const Finding* b) { return a->level > b->level; });
-        tell_with(*group.front(), std::span(group).subspan(1), what_others_are(*group.front()));
-    }
+        if (is_of_macros(*finding)) macros.add(*finding, finding->details);
+    for (std::vector<Finding*>& group : macros.run())
+        causes[fmt::format("macros {}", causes.size())] = std::move(group);
+    for (auto& [cause, group] : causes)
+        if (group.size() >= least_told_once(group)) tell_with_worst(group);
     for (const auto& [first, others] : CommonEdits(loud).run())
         tell_with(*first, others, "more pairs have nothing but parts of the same edit");
     const EditsOfSiblings siblings(loud);
     for (const std::vector<Finding*>& group : siblings.groups())
         if (group.size() > 1)
             tell_with(*group.front(), std::span(group).subspan(1), "more pairs have the same edit in their own names");
+    CauseGroups known;
+    for (Finding* finding : loud)
+        if (finding->level > Level::Note && !finding->causes.empty() && !has_others(*finding))
+            known.add(*finding, finding->causes);
+    for (std::vector<Finding*>& group : known.run())
+        if (group.size() > 1) tell_with_worst(group);
     std::vector<Finding*> edits;
     std::copy_if(loud.begin(), loud.end(), std::back_inserter(edits),
                  [](const Finding* finding) { return is_edit_of_a_side(*finding) && !has_others(*finding); });

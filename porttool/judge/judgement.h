@@ -58,8 +58,15 @@ struct Finding {
     bool settled_in_source = false;                   ///< by a comment, not by the ledger
     uint32_t map_line = 1;                            ///< of its pair in portmap.toml
     std::vector<std::string> details;                 ///< what is missing on which side
+    std::vector<std::string> causes;                  ///< what others may have in common with it, to be told once
     std::shared_ptr<const FindingEvidence> evidence;  ///< mostly none, and larger than the rest of a finding
 };
+
+/// The cause of an edit of which it is in doubt that the other side owes it.
+inline constexpr std::string_view kInDoubt = "in doubt";
+inline bool is_in_doubt(const Finding& finding) {
+    return !finding.causes.empty() && finding.causes.front() == kInDoubt;
+}
 
 /// True for a finding that is to be acted on: its rule is not off, and nobody has settled it.
 inline bool is_open(const Finding& finding) { return finding.level != Level::Off && !finding.verdict; }

@@ -86,18 +86,21 @@ bool has_in_a_row(const Words& words, std::string_view apart_by_blanks) {
     return std::search(words.begin(), words.end(), wanted.begin(), wanted.end()) != words.end();
 }
 
-/// True if some file of the side has the word elsewhere than in a comment, and behind `before`, if that is a word.
+/// True if a file has the word elsewhere than in a comment, and behind `before`, if that is a word.
+bool is_in_tokens(const LexedText& lexed, std::string_view word, std::string_view before) {
+    std::string_view last;
+    for (const Token& token : lexed.tokens) {
+        if (lexed.view(token) == word && (before.empty() || last == before)) return true;
+        last = lexed.view(token);
+    }
+    return false;
+}
+
+/// The same of some file of a side.
 bool is_in_code_after(const Case& facts, Side side, std::string_view word, std::string_view before) {
     const FilesOfSide& files = (*facts.files)[side];
-    for (size_t i = 0; i < files.size(); ++i) {
-        if (!says_word(files.text(i), word)) continue;
-        const LexedText& lexed = files.scanned(i).lexed;
-        std::string_view last;
-        for (const Token& token : lexed.tokens) {
-            if (lexed.view(token) == word && (before.empty() || last == before)) return true;
-            last = lexed.view(token);
-        }
-    }
+    for (size_t i = 0; i < files.size(); ++i)
+        if (says_word(files.text(i), word) && is_in_tokens(files.scanned(i).lexed, word, before)) return true;
     return false;
 }
 
@@ -185,5 +188,13 @@ bool says_word(std::string_view text, std::string_view word) {
 }
 
 bool is_in_code(const Case& facts, Side side, std::string_view word) { return is_in_code_after(facts, side, word, {}); }
+
+bool is_in_code_of(const Case& facts, Side side, std::string_view path, std::string_view word) {
+    const FilesOfSide& files = (*facts.files)[side];
+    for (size_t i = 0; i < files.size(); ++i)
+        if (files.path(i) == path)
+            return says_word(files.text(i), word) && is_in_tokens(files.scanned(i).lexed, word, {});
+    return false;
+}
 
 }  // namespace porttool

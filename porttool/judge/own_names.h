@@ -19,6 +19,9 @@ bool says_word(std::string_view text, std::string_view word);
 /// True if some file of the side has that word elsewhere than in a comment.
 bool is_in_code(const Case& facts, Side side, std::string_view word);
 
+/// The same of one file.
+bool is_in_code_of(const Case& facts, Side side, std::string_view path, std::string_view word);
+
 /// The units of both sides by the last part of their names, and what a name means where it stands without its scope.
 class OwnNames {
 public:

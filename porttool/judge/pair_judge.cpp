@@ -38,6 +38,7 @@
 #include "porttool/language/hazards.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/prelude.h"
+#include "porttool/scan/scan.h"
 
 namespace porttool {
 namespace {
@@ -96,6 +97,12 @@ void weaken(const JudgedPair& pair, Finding& finding, Level level, const std::st
     finding.message += "; but " + why;
     finding.remedy =
         "Compare the two once; if nothing is left to port, run: porttool accept " + argument(pair.id.source, finding);
+}
+
+/// What the other side most likely does not owe, though nothing proves it: told once for all such edits.
+void doubt(const JudgedPair& pair, Finding& finding, const std::string& why) {
+    weaken(pair, finding, Level::Warning, why);
+    finding.causes = {std::string(kInDoubt)};
 }
 
 /// What a person would change by mistake.
@@ -422,10 +429,36 @@ void PairJudge::report_one(JudgedPair& pair, const PairComparison& found, const 
     const UnitState& unit = *pair.unit[side];
     const PlainStatements plain(unit.kind, language_of_path(unit.file), dialect_);
     const Words then = before[side].words(), now = unit.text.words();
+    if (const std::string macro = macro_of_other_build(unit, side, then); !macro.empty())
+        return weaken(pair, finding, Level::Note,
+                      fmt::format("it only adds what is built with {}, which the other side never is", macro));
     if (!declaration_changes(then, now, plain).empty()) return;
     if (change == Change::Semantic && facts_.same_code && prelude_of(then) == prelude_of(now))
         soften(pair, finding, facts_.same_code(*pair.unit[side], side, before[side]));
     weigh_edit(pair, side, before[side], finding);
+}
+
+/// A macro for which an edit added other texts, where it did nothing else, neither in the unit nor in what the file
+/// declares for it, and only who builds that side asks for it; else "".
+std::string PairJudge::macro_of_other_build(const UnitState& unit, Side side, const Words& before) const {
+    const Words now = unit.text.words();
+    const auto macros = macros_of_added_branches(without_prelude(before), without_prelude(now));
+    if (macros.empty() || !std::all_of(macros.begin(), macros.end(), [&](std::string_view macro) {
+            return own_names_.is_asked_for_elsewhere(std::string(macro), side);
+        }))
+        return {};
+    if (prelude_of(before) == prelude_of(now)) return std::string(*macros.begin());
+    const FilesOfSide& files = (*facts_.files)[side];
+    for (size_t i = 0; i < files.size(); ++i) {
+        if (files.path(i) != unit.file) continue;
+        const ScannedFile file = scan_text(unit.file, without_macros(files.scanned(i).lexed, macros));
+        for (const Unit& built : file.units)
+            if (unit_id(file, built) == unit.id) {
+                const UnitState state = unit_state(file, built);
+                return prelude_of(state.text.words()) == prelude_of(before) ? std::string(*macros.begin()) : "";
+            }
+    }
+    return {};
 }
 
 /// True if both names of each call are most likely one function's: of a library, and as exact, or of the side itself,
@@ -469,20 +502,14 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
         return weaken(pair, finding, Level::Note, "it only reaches members through a pointer, or no longer does");
     if (const std::string swept = swept_names_.say(side, texts.before, texts.now); !swept.empty())
         return weaken(pair, finding, Level::Note, swept);
-    if (const auto macros = macros_of_added_branches(texts.before, texts.now);
-        !macros.empty() && std::all_of(macros.begin(), macros.end(), [&](std::string_view macro) {
-            return own_names_.is_asked_for_elsewhere(std::string(macro), side);
-        }))
-        return weaken(
-            pair, finding, Level::Note,
-            fmt::format("it only adds what is built with {}, which the other side never is", *macros.begin()));
+    finding.causes = swept_names_.new_names(side, now.file, texts.before, texts.now);
     if (structs) {
         if (const auto base = only_changes_base(texts.before, texts.now); !base.empty() && !own_names_.of(side, base))
             return weaken(pair, finding, Level::Note, "it only derives from what is not of the project, or no longer");
         if (only_changes_fields_of_its_own(texts))
             weaken(pair, finding, Level::Note, "the two structs never had most of their fields in common");
         else if (!is_likely_owed(laid))
-            weaken(pair, finding, Level::Warning, "little of what it touches has its like on the other side");
+            doubt(pair, finding, "little of what it touches has its like on the other side");
         return;
     }
     if (only_follows_runtime(texts.before, texts.now))
@@ -506,6 +533,8 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
     if (only_concerns_unread_locals(texts.before, texts.now, dialect_) &&
         !own_names_.are_locals_in_macros(texts.before, side) && !own_names_.are_locals_in_macros(texts.now, side))
         return weaken(pair, finding, Level::Note, "it only brings or takes names that nothing reads");
+    if (only_concerns_unread_parameters(texts.before, texts.now) && !are_twins(texts.before, texts.other, dialect_))
+        return weaken(pair, finding, Level::Note, "it only brings or takes parameters that it never reads");
     // What the port holds before it is given anything is its own matter; the source may have mended a fault of both.
     const bool is_own_matter = !is_contract(facts_.map.reference, side);
     if (is_own_matter && only_gives_first_values(texts.before, texts.now))
@@ -547,16 +576,18 @@ void PairJudge::weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, Findin
     const std::string there = side == Side::Source ? "the port" : "the source";
     const OffGround off = off_common_ground(laid);
     if (off == OffGround::No) {
-        if (!is_likely_owed(laid))
-            weaken(pair, finding, Level::Warning, "little of what it touches has its like in " + there);
+        if (!is_likely_owed(laid)) doubt(pair, finding, "little of what it touches has its like in " + there);
         return;
     }
     const bool is_own_matter = !is_contract(facts_.map.reference, side);
     pair.is_of_own_part =
         off == OffGround::Surely ||
         (off == OffGround::Perhaps && (is_own_matter || only_tends_runtime(laid.texts().before, laid.texts().now)));
-    weaken(pair, finding, pair.is_of_own_part ? Level::Note : Level::Warning,
-           there + " has nothing like what it changes");
+    const std::string why = there + " has nothing like what it changes";
+    if (pair.is_of_own_part)
+        weaken(pair, finding, Level::Note, why);
+    else
+        doubt(pair, finding, why);
 }
 
 void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before) {

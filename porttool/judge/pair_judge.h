@@ -57,6 +57,7 @@ private:
     void report_one(JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before);
     void report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before);
     void weigh_edits(const JudgedPair& pair, const BySide<NormalText>& before, Finding& finding) const;
+    std::string macro_of_other_build(const UnitState& unit, Side side, const Words& before) const;
     bool has_doubtful_switch(const PairTexts& texts, const JudgedPair& pair) const;
     bool call_the_same(const std::vector<RespelledCall>& calls, Side side, const Words& there) const;
     void weigh_edit(JudgedPair& pair, Side side, const NormalText& before, Finding& finding) const;

@@ -83,6 +83,26 @@ std::string SweptNames::say(Side side, const Words& before, const Words& now) {
     return {};
 }
 
+std::vector<std::string> SweptNames::new_names(Side side, const std::string& file, const Words& before,
+                                               const Words& now) {
+    constexpr size_t kUnits = 3;
+    std::vector<std::string> out;
+    if (!facts_.files) return out;
+    const auto names = exchanged_names(before, now);
+    if (!are_no_calls(now, names)) return out;
+    for (const Name& name : names) {
+        size_t units = 0;
+        bool is_gone = roles_of(name.first) == 0 && roles_of(name.second) == 0;
+        for (const auto& [other, times] : exchanges(side)) {
+            if (other.second == name.second) units += times.in_all;
+            if (other.first == name.first && other.second != name.second) is_gone = false;
+        }
+        if (!is_gone || units < kUnits || is_in_code_of(facts_, side, file, name.first)) return {};
+        out.push_back(name.second);
+    }
+    return out;
+}
+
 bool SweptNames::is_swept_type(Side side, const Name& name) {
     if (times(side, name).alone < kSeveral) return false;
     if (types_[side].size() >= kMostNames && !types_[side].contains(name)) return false;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "porttool/judge/judge.h"
 
@@ -25,6 +26,11 @@ public:
 
     /// What is to say of the edit of a text of that side if it did nothing else; else "".
     std::string say(Side side, const Words& before, const Words& now);
+
+    /// The new names of an edit that only exchanges names, none of a function, where each came into several watched
+    /// units so, and what it took the place of gave way to it alone, and stands nowhere in the file any more; else
+    /// nothing.
+    std::vector<std::string> new_names(Side side, const std::string& file, const Words& before, const Words& now);
 
 private:
     using Name = std::pair<std::string, std::string>;  ///< before, now

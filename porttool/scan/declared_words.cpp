@@ -126,7 +126,9 @@ private:
     /// The names that stand where a declaration has its names: behind a type, before what ends one or says its value.
     void read_declarators(size_t first, size_t end, DeclaredWord::Kind kind) {
         for (size_t i = first; i < end; ++i) {
-            if (word(i) == "<" && is_name(i - (i > 0 ? 1 : 0))) {
+            if (is_one_of(word(i), {"decltype", "typeof", "__typeof__", "alignas"}) && word(i + 1) == "(") {
+                i = past_brackets(i + 1) - 1;  // a type, or what is said of one
+            } else if (word(i) == "<" && is_name(i - (i > 0 ? 1 : 0))) {
                 i = past_angles(i) - 1;
             } else if (word(i) == "(" || word(i) == "[") {
                 const size_t close = past_brackets(i);

@@ -637,6 +637,137 @@ TEST(QuietGate, ABranchForABuildThatTheOtherSideNeverHas) {
         << "the port may be built with it";
 }
 
+TEST(QuietGate, WhatTheFileDeclaresForABuildThatTheOtherSideNeverHas) {
+    const std::string image = "layout(binding = 0) uniform highp sampler3D work;",
+                      buffer = "layout(binding = 0) readonly buffer data { float work[]; };",
+                      texel = "sum += texelFetch(work, ivec3(0, 0, 1), 0).r;", element = "sum += work[1];",
+                      body = "void main() {\n  float sum = start;\n  " + element + "\n  top[0] = sum * 0.5f;\n}\n",
+                      port = "void run(float* top, const float* work) { top[0] = (start + work[1]) * 0.5f; }\n";
+    const auto branch = [](const std::string& opening, const std::string& first, const std::string& second) {
+        return "\n#" + opening + "\n" + first + "\n#else\n" + second + "\n#endif\n";
+    };
+    const auto after = [&](const std::string& declared, const std::string& code) {
+        return loud({{"s/k.comp", buffer + "\n" + body}, {"t/k.cpp", port}},
+                    {{"s/k.comp", declared + "\n" + replaced(body, element, code)}}, {"s/k.comp:main=t/k.cpp:run"});
+    };
+    const Loud told = {"source-changed s/k.comp:main"};
+    EXPECT_EQ(after(branch("if USE_IMAGES", image, buffer), branch("if USE_IMAGES", texel, element)), Loud{});
+    EXPECT_EQ(after(image + "\n" + buffer, branch("if USE_IMAGES", texel, element)), told) << "for every build";
+    EXPECT_EQ(after(branch("if USE_OTHERS", image, buffer), branch("if USE_IMAGES", texel, element)), told);
+    EXPECT_EQ(after(branch("if USE_IMAGES", buffer, image), branch("if USE_IMAGES", texel, element)), told)
+        << "the old text has the new declaration";
+}
+
+TEST(QuietGate, EditsThatHaveLittleToDoWithTheirOtherSideAreToldOnce) {
+    const auto kernel = [](const std::string& name) {
+        return "void " + name +
+               "(span y, span x, span w, float lim, int n) {\n"
+               "  const int rows = x.rows();\n  const int step = rows / 4;\n  float sum = 0.0f;\n"
+               "  for (int at = 0; at < n; ++at) {\n    float v = x.load(at) * 0.5f;\n    v = v + lim * step;\n"
+               "    if (v > lim) { v = lim; }\n    y.store(at, v);\n    sum += v * w.load(at);\n  }\n"
+               "  y.flush(rows);\n}\n";
+    };
+    const auto stranger = [](const std::string& name) {
+        return "int " + name +
+               "(Context* ctx, const Request& request) {\n"
+               "  auto pool = ctx->workers().borrow();\n  Plan plan = planner_for(request.shape());\n"
+               "  plan.set_priority(request.priority(), ctx->quota());\n  plan.set_owner(request.owner());\n"
+               "  while (plan.has_more()) {\n    Task task = plan.take();\n    task.bind(pool.any_free(), lim);\n"
+               "    pool.enqueue(task, request.priority());\n    ctx->journal().note(task.id(), pool.depth());\n  }\n"
+               "  Report report = pool.wait_all(request.timeout());\n  report.sign(ctx->keys(), v, at, rows);\n"
+               "  ctx->outbox().post(report, request.reply_to());\n  return report.status();\n}\n";
+    };
+    const std::string from = "v = v + lim * step;",
+                      to = "v = v + lim * step; book.open(at, rows); book.enter(v, lim); book.close(at);",
+                      other = "v = v + lim * step; if (rows > at) { tally.push(v, lim, at); tally.keep(rows, n); }";
+    const std::string source = kernel("f") + kernel("g") + kernel("h"),
+                      port = stranger("f") + stranger("g") + stranger("h");
+    const std::vector<std::string> pairs = {"s/k.cpp:f=t/k.cpp:f", "s/k.cpp:g=t/k.cpp:g", "s/k.cpp:h=t/k.cpp:h"};
+    const auto after = [&](const std::string& h) {
+        return loud({{"s/k.cpp", source}, {"t/k.cpp", port}},
+                    {{"s/k.cpp", replaced(kernel("f"), from, to) + replaced(kernel("g"), from, other) + h}}, pairs);
+    };
+    EXPECT_EQ(after(kernel("h")), Loud{"source-changed s/k.cpp:f"});
+    // A slip is never told with another edit.
+    EXPECT_EQ(after(replaced(kernel("h"), "* 0.5f", "* 0.25f")),
+              (Loud{"source-changed s/k.cpp:f", "source-changed s/k.cpp:h"}));
+}
+
+TEST(QuietGate, NamesThatGaveWayInSeveralUnitsAreToldOnce) {
+    const auto file = [](const std::string& size, const std::string& half) {
+        return "float f(float* p, int i) { return p[i * " + size +
+               "] * 2.0f; }\nfloat g(float* p, int i) { return p[i / " + size + "] + " + half +
+               "; }\nfloat h(float* p, int i) { return p[" + size + " - i] - 1.0f; }\n";
+    };
+    const auto after = [&](const std::string& now, const std::string& more = "") {
+        return loud({{"s/k.cu", file("cl_size", "lim") + more}, {"t/k.cpp", file("cl_size", "lim")}},
+                    {{"s/k.cu", now + more}}, {"s/k.cu:f=t/k.cpp:f", "s/k.cu:g=t/k.cpp:g", "s/k.cu:h=t/k.cpp:h"});
+    };
+    EXPECT_EQ(after(file("cluster_size", "lim")), Loud{"source-changed s/k.cu:f"});
+    EXPECT_EQ(after(file("cluster_size", "lim"), "float own(float* p) { return p[cl_size]; }\n").size(), 3u)
+        << "the old one still stands there";
+    EXPECT_EQ(after(replaced(file("cluster_size", "lim"), "cluster_size - i", "other_size - i")).size(), 3u)
+        << "it gave way to two";
+    EXPECT_EQ(after(replaced(file("cluster_size", "lim"), "+ lim", "- lim")),
+              (Loud{"source-changed s/k.cu:f", "source-changed s/k.cu:g", "source-changed s/k.cu:h"}))
+        << "two units exchange nothing but names: too few";
+    EXPECT_EQ(after(replaced(file("cluster_size", "lim"), "* 2.0f", "* 3.0f")).size(), 3u);
+}
+
+TEST(QuietGate, ParametersThatNothingReads) {
+    const std::string text =
+                          "float f(const Hit* hit, float a, float b) { float s = a * 2.0f + b; if (s > 1.0f) s = a; "
+                          "return s * b; }\n",
+                      port =
+                          "float Texture::Value(Span rows) const { const Pair pair = rows.first(); return "
+                          "std::min(pair.a, this->Scaled(pair)) * pair.b; }\n";
+    const auto after = [&](const std::string& now, const std::string& before) {
+        return loud({{"s/k.cu", before}, {"t/k.cpp", port}}, {{"s/k.cu", now}}, {"s/k.cu:f=t/k.cpp:Texture::Value"});
+    };
+    const auto head = [&](const std::string& parameters) {
+        return replaced(text, "const Hit* hit, float a, float b", parameters);
+    };
+    const Loud told = {"source-changed s/k.cu:f"};
+    EXPECT_EQ(after(head("float a, float b"), text), Loud{});
+    EXPECT_EQ(after(text, head("float a, float b")), Loud{});
+    EXPECT_EQ(after(head("const Hit* hit, float a, const Map<int, int>& map, float b"), text), Loud{});
+    EXPECT_EQ(after(head("float b, float a"), text), told) << "calls mean another thing";
+    EXPECT_EQ(after(head("const Hit* hit, float b, float a"), text), told);
+    EXPECT_EQ(after(head("float a, float spare, float b = 1.0f"), head("float a, float b = 1.0f")), told)
+        << "calls that leave the last one out hand theirs to the new one";
+    EXPECT_EQ(after(replaced(head("float a, float b"), "* 2.0f", "* 3.0f"), text), told);
+    const std::string read = replaced(text, "* b;", "* b * hit->t;");
+    EXPECT_EQ(after(replaced(read, "const Hit* hit, ", ""), read), told) << "another `hit`, of the file";
+    EXPECT_EQ(
+        loud({{"s/k.cu", text}, {"t/k.cpp", text}}, {{"s/k.cu", head("float a, float b")}}, {"s/k.cu:f=t/k.cpp:f"}),
+        told)
+        << "a twin has its parameters as well";
+}
+
+TEST(QuietGate, AsidesWithinBranchesForTheCompiler) {
+    const std::string text = "void f(float* y, int n) { y[n] = 2.0f; g(y); }\n";
+    const auto after = [&](const std::string& more) {
+        return loud({{"s/k.cu", text}, {"t/k.cpp", text}}, {{"s/k.cu", replaced(text, "g(y);", more + "g(y);")}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const std::string slow = "printf(\"slow\\n\");\n", fast = "printf(\"fast\\n\");\n";
+    EXPECT_EQ(after("\n#ifdef SLOW\n" + slow + "#else\n" + fast + "#endif\n"), Loud{});
+    EXPECT_EQ(after("\n#ifndef SLOW\n" + fast + "#endif\n"), Loud{});
+    EXPECT_EQ(after("\n#ifdef SLOW\n" + slow + "#else\ny[n] = 3.0f;\n#endif\n"), Loud{"source-changed s/k.cu:f"});
+}
+
+TEST(QuietGate, ATypedefOfATypeThatIsAskedForDeclaresItsNameAlone) {
+    const std::string text = "void f(float* y, int n) { decltype(n) i = n; real r = y[i]; y[n] = r; }\n",
+                      head = "typedef decltype(g<float, 2>) kernel_t;\nalignas(8) static float all[4];\n";
+    const auto after = [&](const std::string& before, const std::string& now) {
+        return loud({{"s/k.cu", before + text}, {"t/k.cpp", text}}, {{"s/k.cu", now + text}}, {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(after(head, head + "typedef decltype(h<float, 3>) other_t;\n"), Loud{});
+    EXPECT_EQ(after(head, head + "alignas(16) static float spare[4];\n"), Loud{});
+    const std::string real = "typedef decltype(g<float, 2>(1)) real;\n";
+    EXPECT_EQ(after(real, replaced(real, "float", "half")), Loud{"source-changed s/k.cu:f"});
+}
+
 TEST(QuietGate, WaitingMoreOftenForTheOwnDevice) {
     const std::string source =
                           "void f(int* n, const int* p, int k) { cudaMemcpy(n, p, 4, cudaMemcpyDeviceToHost); "
