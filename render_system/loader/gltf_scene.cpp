@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <memory>
 #include <new>
@@ -422,6 +423,25 @@ private:
         }
         if (!document_.mended.empty()) loaded_.warnings.push_back(file + "mended: " + document_.mended.text());
         if (!document_.unread_images.empty()) loaded_.warnings.push_back(file + unread_images_text());
+        if (const std::string far_off = distance_text(); !far_off.empty()) loaded_.warnings.push_back(file + far_off);
+    }
+
+    // A ray leaves a surface by some steps that floats have there (docs/decisions/0024-surfaces-in-one-place.md).
+    std::string distance_text() {
+        constexpr float kLeastShare = 1.0f / 65536.0f;
+        const Box box = scene().bounds();
+        if (box.empty()) return "";
+        const glm::vec3 farthest = glm::max(glm::abs(box.lower), glm::abs(box.upper)), sides = box.upper - box.lower;
+        const float reach = std::max({farthest.x, farthest.y, farthest.z});
+        const float side = std::max({sides.x, sides.y, sides.z});
+        if (side == 0.0f || !(side < reach * kLeastShare)) return "";  // nothing there has light
+        char text[200];
+        std::snprintf(
+            text, sizeof(text),
+            "is %.3g wide and lies at coordinates of %.3g, where floats are %.3g apart: its light will be wrong; "
+            "move it to the origin before it is exported",
+            side, reach, std::nextafter(reach, 2.0f * reach) - reach);
+        return text;
     }
 
     // The first with its reason; more are counted.

@@ -213,5 +213,24 @@ TEST(LoaderNode, ASpotWithoutConesHasTheExtensionsDefaults) {
     EXPECT_FLOAT_EQ(scene.punctual_lights()[0].outer_cone, 0.78539816f);
 }
 
+TEST(LoaderNode, SaysWhereFloatsAreTooFewForTheSceneInItsPlace) {
+    const auto said = [](float size, const json& place) {
+        GltfFile file = one_triangle();
+        file.root["nodes"][0]["translation"] = place;
+        file.root["nodes"][0]["scale"] = {size, size, size};
+        std::vector<std::string> warnings;
+        loaded(file, &warnings);
+        return warnings;
+    };
+    EXPECT_THAT(said(6, {3, 1e7, 0}),
+                ElementsAre(HasSubstr("is 6 wide and lies at coordinates of 1e+07, where floats are "
+                                      "1 apart: its light will be wrong; move it to the origin")));
+    EXPECT_EQ(said(600, {0, 0, -1e8}).size(), 1u);
+    EXPECT_TRUE(said(6, {1e5, 1e5, 1e5}).empty());
+    EXPECT_TRUE(said(600, {3, 1e7, 0}).empty());
+    EXPECT_TRUE(said(1e-6f, {0, 0, 0}).empty());
+    EXPECT_TRUE(said(1e8f, {1e8, 0, 0}).empty());
+}
+
 }  // namespace
 }  // namespace render_system::testing::loader_node_test
