@@ -130,8 +130,10 @@ private:
                 "told");
         if (follows_own_directive(*place, was_before))
             return give_up("the port has a directive there, which would govern it");
-        if (is_on_device(*place, was_before, was_after))
+        if (is_on_device(*place, was_before, was_after)) {
+            if (is_of_host(clauses.front())) close = beside_launch_around(*place, left);
             return give_up("the port has one of its neighbours in what it hands to the device");
+        }
         if (parts_from_last(first, *place))
             return give_up("what the source does between this and what it gained before has no counterpart there");
         if (clock_may_run_ahead(clauses, *place, was_before) && !wait_before_clock(clauses))
@@ -141,7 +143,8 @@ private:
         std::vector<std::string> unknown;
         for (size_t c = first; c < end; ++c) {
             if (moved_from(c)) continue;
-            const CarriedWords carried = carry_new(now(c).first, now(c).end);
+            CarriedWords carried = carry_new(now(c).first, now(c).end);
+            if (!type_beside(c).empty()) std::erase(carried.unknown, texts_.now.words[now(c).first]);
             unknown.insert(unknown.end(), carried.unknown.begin(), carried.unknown.end());
         }
         for (const ClauseAdded& clause : clauses)
@@ -185,10 +188,36 @@ private:
     size_t last_that_names(const std::vector<size_t>& own, const std::vector<ClauseAdded>& clauses,
                            size_t otherwise) const {
         const std::set<std::string> names = names_of(clauses);
+        const bool ends_time = is_of_host(clauses.front());
         for (size_t k = own.size(); k-- > 0;)
             for (size_t i = target(own[k]).first; i < target(own[k]).end; ++i)
-                if (names.contains(texts_.target.words[i])) return target(own[k]).first;
+                if (names.contains(texts_.target.words[i]))
+                    return target(ends_time ? behind_own_blocks(own, own[k]) : own[k]).first;
         return otherwise;
+    }
+
+    /// The end of the port's own blocks that a clause stands in, as a kernel with its launch: a wait, or a clock that
+    /// is asked, comes behind these and not into them.
+    size_t behind_own_blocks(const std::vector<size_t>& own, size_t c) const {
+        for (size_t head = target(c).inside; std::binary_search(own.begin(), own.end(), head); head = target(c).inside)
+            if (target(head).partner == Clause::kNone)
+                return c;
+            else
+                c = target(head).partner;
+        return c;
+    }
+
+    /// True for a wait for the device, and a clock that is asked: no device does these.
+    bool is_of_host(const ClauseAdded& clause) const { return waits(clause.source) || asks_clock(clause); }
+
+    /// Beside what is handed to the device around a place of the target: behind it what comes behind a launch.
+    size_t beside_launch_around(size_t place, size_t left) const {
+        for (const Launch& one : launches_in(texts_.target))
+            if (target(one.first).end <= place && place <= target(one.last).first) {
+                const bool is_behind = left != kNothing && one.first <= left && left <= one.last;
+                return is_behind ? target(one.last).first : target(one.first).first;
+            }
+        return place;
     }
 
     std::set<std::string> names_of(const std::vector<ClauseAdded>& clauses) const {
@@ -504,13 +533,43 @@ private:
             if (const auto from = moved_from(c)) {
                 const Clause& there = target(counterpart(*from));
                 const bool same = there.size() == now(c).size();
-                for (size_t i = there.first; i < there.end; ++i)
-                    one.words.push_back({written_number(texts_.target.words[i]),
-                                         same ? now(c).first + (i - there.first) : CarriedWord::kNoSource});
+                for (size_t i = there.first; i < there.end; ++i) {
+                    const size_t here = same ? now(c).first + (i - there.first) : CarriedWord::kNoSource;
+                    const std::string& word = texts_.target.words[i];
+                    const bool is_same_number = same && is_number_token(word) && word == texts_.now.words[here];
+                    one.words.push_back({is_same_number ? written_(here) : written_number(word), here});
+                }
             } else {
                 one.words = carry_new(now(c).first, now(c).end).words;
+                if (const std::string type = type_beside(c); !type.empty()) one.words.front().text = type;
             }
             out.push_back(std::move(one));
+        }
+        return out;
+    }
+
+    /// The type of a new field `T n ;` where the port says the types of both its neighbours, which are `T` as well, in
+    /// one way; "" for none.
+    std::string type_beside(size_t is) const {
+        const auto declares = [](const AlignedText& text, const Clause& clause) {
+            return clause.size() == 3 && is_word_token(text.words[clause.first]) &&
+                   is_name(text.words[clause.first + 1]) && text.words[clause.end - 1] == ";";
+        };
+        const auto is_like = [&](size_t c) {
+            return declares(texts_.now, now(c)) && texts_.now.words[now(c).first] == texts_.now.words[now(is).first];
+        };
+        if (!is_like(is)) return {};
+        size_t left = is, right = is;
+        while (origin_[left] == kNothing && left > 0 && is_like(left)) --left;
+        while (origin_[right] == kNothing && right + 1 < origin_.size() && is_like(right)) ++right;
+        std::string out;
+        for (const size_t c : {left, right}) {
+            if (origin_[c] == kNothing || !is_like(c) || counterpart(origin_[c]) == kNothing) return {};
+            const Clause& there = target(counterpart(origin_[c]));
+            const bool is_said_so = declares(texts_.target, there) &&
+                                    texts_.target.words[there.first + 1] == texts_.now.words[now(c).first + 1];
+            if (!is_said_so || (!out.empty() && out != texts_.target.words[there.first])) return {};
+            out = texts_.target.words[there.first];
         }
         return out;
     }

@@ -98,6 +98,11 @@ private:
                              shown(texts_.before.words, before(was).first, before(was).end) +
                              "`; the port's loop there runs to another end",
                          now(is).first, target(there).first);
+        if (repeats_something_else(was, there))
+            return leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
+                             shown(texts_.before.words, before(was).first, before(was).end) +
+                             "`; the port's loop there has nothing of what the source's has",
+                         now(is).first, target(there).first);
         if (const std::string why = uses_.doubt_of_step(was); !why.empty())
             return leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
                              shown(texts_.before.words, before(was).first, before(was).end) + "`; " + why,
@@ -147,6 +152,30 @@ private:
             if (word != texts_.target.words[other.first + k] && has_there(word)) return true;
         }
         return !says(other.first, other.end, carry_old(here.first, here.end).words, true);
+    }
+
+    /// True for a loop of which nothing within has its counterpart within the port's: that may be another loop.
+    bool repeats_something_else(size_t was, size_t there) const {
+        constexpr double kSameWork = 0.7;  // `use ( a [ i ] ) ;` resembles `sum += a [ i ] ;` by 0.6
+        const Clause &here = before(was), &other = target(there);
+        const std::string& head = texts_.before.words[here.first];
+        if ((head != "for" && head != "while") || !here.opens || here.partner == Clause::kNone) return false;
+        if (other.partner == Clause::kNone) return false;
+        // What a device is handed a port may call, or have in a block of its own.
+        const std::vector<Launch> launches = launches_in(texts_.before);
+        const auto is_launched = [&](size_t c) {
+            return std::any_of(launches.begin(), launches.end(),
+                               [&](const Launch& one) { return one.first <= c && c <= one.last; });
+        };
+        bool any = false;
+        for (size_t c = was + 1; c < here.partner; ++c) {
+            const size_t stands = counterpart(c);
+            const bool is_sure = before(c).opens || texts_.across.likeness[c] >= kSameWork;
+            if (stands != kNothing && is_sure && there < stands && stands < other.partner) return false;
+            if (is_launched(c)) return false;
+            any |= !before(c).closes;
+        }
+        return any;
     }
 
     /// The second part of `for ( a ; b ; c )`; empty for none.

@@ -81,7 +81,29 @@ bool EditReading::is_said_more_often(size_t was, size_t there) const {
                               text.exact.begin() + static_cast<std::ptrdiff_t>(clause.first));
         });
     };
-    return times(texts_.target, target(there)) > times(texts_.before, before(was));
+    return times(texts_.target, target(there)) > times(texts_.before, before(was)) || is_one_of_like(was, there);
+}
+
+bool EditReading::is_one_of_like(size_t was, size_t there) const {
+    constexpr size_t kShortest = 7;
+    const auto is_like = [](const AlignedText& text, const Clause& a, const Clause& b) {
+        if (a.size() != b.size() || a.opens || b.opens || a.inside != b.inside) return false;
+        bool differs = false;
+        for (size_t k = 0; k < a.size(); ++k) {
+            const std::string &one = text.words[a.first + k], &other = text.words[b.first + k];
+            const bool is_called = a.first + k + 1 < a.end && text.words[a.first + k + 1] == "(";
+            if (one != other && (!is_name(one) || !is_name(other) || is_called)) return false;
+            differs |= one != other;
+        }
+        return differs;
+    };
+    if (target(there).size() < kShortest) return false;
+    const auto has_like_beside = [&](const AlignedText& text, size_t c, const auto& counts) {
+        return (c > 0 && is_like(text, text.clauses[c], text.clauses[c - 1]) && counts(c - 1)) ||
+               (c + 1 < text.clauses.size() && is_like(text, text.clauses[c], text.clauses[c + 1]) && counts(c + 1));
+    };
+    return has_like_beside(texts_.target, there, [&](size_t c) { return !stands_for_something(c); }) &&
+           !has_like_beside(texts_.before, was, [](size_t) { return true; });
 }
 
 bool EditReading::stands_for_something(size_t there) const { return stands_for_.contains(there); }
@@ -153,29 +175,37 @@ size_t EditReading::near(size_t c) const {
             before_right = i - c;
             break;
         }
-    // What resembles it a little between its neighbours, or well anywhere, may stand for it in another form.
+    // What resembles it between its neighbours, or well anywhere, may stand for it in another form; a name that few
+    // others there have tells more than a little resemblance.
     constexpr double kALittle = 0.2, kWell = 0.5;
-    size_t best = left;
-    double likeness = kALittle;
-    for (size_t i = left + 1; i < right; ++i)
-        if (const double found = resemblance(c, i); found > likeness) likeness = found, best = i;
-    if (best != left) return target(best).first;
-    likeness = kWell;
-    for (size_t i = 1; i < texts_.target.clauses.size(); ++i)
-        if (const double found = resemblance(c, i); found > likeness) likeness = found, best = i;
-    if (best != left) return target(best).first;
-    if (const size_t said = says_rare_name_of(c, left); said != kNothing) return target(said).first;
+    const auto most_alike = [&](size_t first, size_t end, double likeness) {
+        size_t best = kNothing;
+        for (size_t i = first; i < end; ++i)
+            if (const double found = resemblance(c, i); found > likeness) likeness = found, best = i;
+        return best;
+    };
+    if (const size_t said = says_rare_name_of(c, left, true); said != kNothing) return target(said).first;
+    const size_t all = texts_.target.clauses.size();
+    const auto first_of = [&](size_t there) { return target(there).first; };
+    if (const size_t best = most_alike(left + 1, right, kWell); best != kNothing) return first_of(best);
+    if (const size_t said = says_rare_name_of(c, left); said != kNothing && left < said && said < right)
+        return first_of(said);
+    if (const size_t best = most_alike(left + 1, right, kALittle); best != kNothing) return first_of(best);
+    if (const size_t best = most_alike(1, all, kWell); best != kNothing) return first_of(best);
+    if (const size_t said = says_rare_name_of(c, left); said != kNothing) return first_of(said);
     const bool is_right = before_right < after_left && right < texts_.target.clauses.size();
     return is_right ? target(right).first : target(left).end - 1;
 }
 
 /// The clause of the target, of those that stand for none, that has a name of clause c which few others there have; of
-/// several the nearest to `place`.
-size_t EditReading::says_rare_name_of(size_t c, size_t place) const {
+/// several the nearest to `place`. With `gone` of all its clauses and of the names that the source has no more.
+size_t EditReading::says_rare_name_of(size_t c, size_t place, bool gone) const {
     constexpr size_t kFew = 2;
     std::map<uint32_t, std::vector<size_t>> clauses;
     for (size_t i = before(c).first; i < before(c).end; ++i)
-        if (is_name(texts_.before.words[i])) clauses[texts_.before.common[i]];
+        if (is_name(texts_.before.words[i]) && (!gone || std::find(texts_.now.words.begin(), texts_.now.words.end(),
+                                                                   texts_.before.words[i]) == texts_.now.words.end()))
+            clauses[texts_.before.common[i]];
     for (size_t there = 1; there < texts_.target.clauses.size(); ++there)
         for (size_t i = target(there).first; i < target(there).end; ++i) {
             const auto found = clauses.find(texts_.target.common[i]);
@@ -187,7 +217,8 @@ size_t EditReading::says_rare_name_of(size_t c, size_t place) const {
     for (const auto& [name, all] : clauses) {
         if (all.size() > kFew) continue;
         for (const size_t there : all)
-            if (!stands_for_something(there) && (best == kNothing || distance(there) < distance(best))) best = there;
+            if ((gone || !stands_for_something(there)) && (best == kNothing || distance(there) < distance(best)))
+                best = there;
     }
     return best;
 }

@@ -34,6 +34,9 @@ public:
     bool says(size_t first, size_t end, const std::vector<CarriedWord>& words, bool values = false) const;
     /// True for a statement that the target has more often than the source: one of them may not be all.
     bool is_said_more_often(size_t was, size_t there) const;
+    /// True for one of several statements side by side that differ in names alone, where the source has one, in a loop
+    /// maybe: `o . r = clamp ( o . r ) ; o . g = clamp ( o . g ) ;` for `c [ k ] = clamp ( c [ k ] ) ;`.
+    bool is_one_of_like(size_t was, size_t there) const;
     bool stands_for_something(size_t there) const;
     /// Where the target says the words of the source's old text, word for word, once on both sides.
     std::optional<size_t> only_counterpart(const Clause& old) const;
@@ -69,7 +72,7 @@ private:
     double resemblance(size_t c, size_t there) const;
     /// What stands in the target for another clause of the source's old text that says the same.
     size_t counterpart_of_same(size_t c) const;
-    size_t says_rare_name_of(size_t c, size_t place) const;
+    size_t says_rare_name_of(size_t c, size_t place, bool gone = false) const;
     /// Branches that the port takes on another condition, or that may be the other ones of two: what stands in them
     /// there is not known.
     void find_doubtful();

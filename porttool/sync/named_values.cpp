@@ -3,6 +3,7 @@
 #include "porttool/sync/named_values.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "porttool/normal/normal_text.h"
 #include "porttool/sync/operands.h"
@@ -28,6 +29,30 @@ bool may_write_any(const std::vector<std::string>& words, size_t first, const st
         if (is_stepped || is_handed || is_written) return true;
     }
     return false;
+}
+
+/// Where the `*` of a product of two is; nothing for other words.
+std::optional<size_t> middle_of_product(const std::vector<std::string>& words) {
+    std::optional<size_t> out;
+    int depth = 0;
+    for (size_t i = 0; i < words.size(); ++i) {
+        depth += is_one_of(words[i], {"(", "["}) ? 1 : is_one_of(words[i], {")", "]"}) ? -1 : 0;
+        if (depth > 0 || is_word_token(words[i]) || is_number_token(words[i]) ||
+            is_one_of(words[i], {")", "]", ".", "->", "::"}))
+            continue;
+        if (words[i] != "*" || out || i == 0) return std::nullopt;
+        out = i;
+    }
+    return out;
+}
+
+/// `n * sizeof ( float )` for `sizeof ( float ) * n`.
+bool is_commuted(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    const auto first = middle_of_product(a), second = middle_of_product(b);
+    if (!first || !second || a.size() != b.size() || *first + *second + 1 != a.size()) return false;
+    const auto middle = static_cast<std::ptrdiff_t>(*first), other = static_cast<std::ptrdiff_t>(*second);
+    return std::equal(a.begin(), a.begin() + middle, b.begin() + other + 1, b.end()) &&
+           std::equal(a.begin() + middle + 1, a.end(), b.begin(), b.begin() + other);
 }
 
 }  // namespace
@@ -72,8 +97,13 @@ bool NamedValues::only_name(const AlignedText& now, const Clause& is, const Alig
                               is_one_of(now.words[i + 1], {")", ",", ";", "]"});
         if (!is_enclosed && !is_whole) return false;
         if (is_enclosed) ++at;
-        for (const std::string& word : found->second)
-            if (!take(word)) return false;
+        const auto word_at = before.words.begin() + static_cast<std::ptrdiff_t>(at);
+        if (at + found->second.size() <= was.end &&
+            is_commuted(found->second, {word_at, word_at + static_cast<std::ptrdiff_t>(found->second.size())}))
+            at += found->second.size();
+        else
+            for (const std::string& word : found->second)
+                if (!take(word)) return false;
         if (is_enclosed && !take(")")) return false;
     }
     return any && at == was.end;

@@ -20,6 +20,7 @@
 #include "porttool/sync/scopes.h"
 #include "porttool/sync/told_places.h"
 #include "porttool/sync/transplant.h"
+#include "porttool/sync/withdrawn.h"
 
 namespace porttool {
 namespace {
@@ -380,33 +381,57 @@ bool PairCarrier::write(const PairEdit& edit, const Texts& texts, const KnownNam
     declare_constants(texts.new_text, texts.is, constants_of(texts.file, texts.unit, texts.other), found);
     if (has_other_braces(found, texts.is, texts.new_text, texts.there, texts.port_text))
         found.braces = edit_of_braces(edit, texts);
-    const std::vector<TextEdit> edits =
-        rewrite_unit(found, {texts.file, texts.is, texts.new_text.clauses},
-                     {texts.draft.scanned, texts.there, texts.port_text.clauses}, texts.draft.indent());
-    finish(edit, texts, found, edits, out);
+    finish(edit, texts, found, out);
     return true;
 }
 
+/// Takes back what leaves names of the port undeclared, or declared twice; false where some would be all the same.
+/// `file`: the port's, as it stands.
+bool PairCarrier::withdraw_undeclared(const PairEdit& edit, const Texts& texts, const ScannedFile& file,
+                                      Transplant& found) {
+    constexpr int kMostRounds = 4;
+    for (int round = 0; round < kMostRounds && !found.empty(); ++round) {
+        const std::optional<std::string> made =
+            edit_file(texts.draft.bytes, file.lexed.text, edits_of(texts, file, found));
+        if (!made) return false;
+        const ScannedFile scanned = scan_text(file.path, *made);
+        const Unit* unit = unit_named(scanned, edit.pair.unit[edit.to()]->id);
+        if (unit == nullptr) return false;
+        const std::vector<std::string> words = words_of_unit(scanned, *unit).words;
+        std::set<std::string> names = names_lost(scanned, texts.there.words, words);
+        names.merge(names_doubled(texts.there.words, words));
+        if (names.empty()) return true;
+        if (!withdraw(std::move(names), texts.new_text, texts.port_text, found)) return false;
+    }
+    return found.empty();
+}
+
+std::vector<TextEdit> PairCarrier::edits_of(const Texts& texts, const ScannedFile& file, const Transplant& found) {
+    return rewrite_unit(found, {texts.file, texts.is, texts.new_text.clauses},
+                        {file, texts.there, texts.port_text.clauses}, texts.draft.indent());
+}
+
 /// Makes the new text, and holds it to the gate before anybody sees it.
-void PairCarrier::finish(const PairEdit& edit, const Texts& texts, const Transplant& found,
-                         const std::vector<TextEdit>& edits, Proposal& out) {
+void PairCarrier::finish(const PairEdit& edit, const Texts& texts, Transplant& found, Proposal& out) {
     Draft& draft = texts.draft;
+    const std::vector<TextEdit> edits = edits_of(texts, draft.scanned, found);
     const ToldPlaces places = texts.places();  // of the port as it stands
     const auto leave_where = [&](const std::string& told, std::string why) {
         const auto [here, there] = places.of(told, found);
         out.left.push_back(left_at(edit.from, std::move(why), here, there));
     };
+    std::optional<RescannedLines> alone;
     const auto refuse = [&](std::string why) {
         out.state = ProposalState::Refused;
         const auto [here, there] = places.first_edit(found);
         out.left.push_back(left_at(edit.from, std::move(why), here, there));
+        if (alone) draft.scanned = scan_text(draft.scanned.path, draft.bytes);  // it holds what is not written
     };
     const JudgedPair& pair = edit.pair;
     const Unit& port = *draft.unit(pair.unit[edit.to()]->id);
     const std::vector<std::string> old_words = words_of_unit(draft.scanned, port).words;
     const auto place = static_cast<size_t>(&port - draft.scanned.units.data());
-    const std::optional<RescannedLines> alone =
-        draft.has_scanned_text() ? rescan_unit(draft.scanned, place, edits) : std::nullopt;
+    if (draft.has_scanned_text()) alone = rescan_unit(draft.scanned, place, edits);
     std::string now;
     ScannedFile whole;  // scanned anew only where the unit alone does not tell
     if (!alone) {
@@ -422,12 +447,29 @@ void PairCarrier::finish(const PairEdit& edit, const Texts& texts, const Transpl
         return refuse("the port made of this edit could not be read back");
     if (has_stray_directive(scanned, *unit)) return refuse("a directive of the port would stand within a line");
     const std::vector<std::string> new_words = words_of_unit(scanned, *unit).words;
+    if (new_words == old_words) return refuse("the port says so already where it would come; look whether that is all");
     if (ends_its_directives(old_words) && !ends_its_directives(new_words))
         return refuse("an `#if` of the port would go without its `#endif`, or the other way round");
     for (const std::string& name : templates_without_arguments(scanned, old_words, new_words))
         leave_where("`" + name + "`", "the port's `" + name + "` is a template, which takes arguments");
-    for (const std::string& name : names_lost(scanned, old_words, new_words))
+    const std::set<std::string> lost = names_lost(scanned, old_words, new_words),
+                                doubled = names_doubled(old_words, new_words);
+    for (const std::string& name : lost)
         leave_where("`" + name + "`", "the port would use `" + name + "` where it does not declare it");
+    for (const std::string& name : doubled)
+        leave_where("`" + name + "`", "the port would declare `" + name + "` twice there");
+    if (!lost.empty() || !doubled.empty()) {
+        Transplant less = found;
+        std::optional<ScannedFile> as_it_was;
+        if (alone) as_it_was = scan_text(draft.scanned.path, draft.bytes);
+        if (withdraw_undeclared(edit, texts, as_it_was ? *as_it_was : draft.scanned, less)) {
+            if (as_it_was) draft.scanned = std::move(*as_it_was);
+            found = std::move(less);
+            if (!found.empty()) return finish(edit, texts, found, out);
+            out.state = ProposalState::Refused;
+            return;
+        }
+    }
     if (std::string why = gives_back_as_before(old_words, new_words); !why.empty()) {
         const auto given = std::find(old_words.begin(), old_words.end(), "return");
         out.left.push_back(

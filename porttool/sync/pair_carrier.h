@@ -71,8 +71,10 @@ private:
     void leave_unported(const PairEdit& edit, const Texts& texts, const KnownNames& names, const Transplant& found,
                         Proposal& out) const;
     bool write(const PairEdit& edit, const Texts& texts, const KnownNames& names, Transplant& found, Proposal& out);
-    void finish(const PairEdit& edit, const Texts& texts, const Transplant& found, const std::vector<TextEdit>& edits,
-                Proposal& out);
+    static bool withdraw_undeclared(const PairEdit& edit, const Texts& texts, const ScannedFile& file,
+                                    Transplant& found);
+    static std::vector<TextEdit> edits_of(const Texts& texts, const ScannedFile& file, const Transplant& found);
+    void finish(const PairEdit& edit, const Texts& texts, Transplant& found, Proposal& out);
     bool holds_a_part(const PairEdit& edit, const Alignment& across) const;
     std::vector<uint32_t> constants_of(const ScannedFile& file, const Unit& unit, const ScannedFile& other);
     BraceEdits edit_of_braces(const PairEdit& edit, const Texts& texts);

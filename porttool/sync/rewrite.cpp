@@ -83,11 +83,15 @@ private:
         return source_gap(one.source_first).empty() && start > end && text().text.find_first_not_of(' ', end) == start;
     }
 
+    /// A name or number in place of another stands as that did.
+    static bool is_value(const std::string& word) { return is_word_token(word) || is_number_token(word); }
+
     /// The blank before words that the source sets apart, where those that they take the place of stood close: `i += 1`
     /// for `i++`.
     std::string lead_of(const WordsReplaced& one, size_t before, size_t first) const {
         const bool is_tight = before != kNone && end_of(before) == start_of(first);
         const bool is_apart = one.words.front().from == one.source_first && !source_gap(one.source_first).empty();
+        if (is_value(target_.words.words[one.first]) && is_value(one.words.front().text)) return "";
         return is_tight && is_apart && stand_apart(target_.words.words[before], one.words.front().text) ? " " : "";
     }
 
@@ -95,6 +99,7 @@ private:
     std::string trail_of(const WordsReplaced& one, size_t last, size_t after) const {
         const bool is_tight = after != kNone && end_of(last) == start_of(after);
         const bool is_apart = one.words.back().from == one.source_end - 1 && !source_gap(one.source_end).empty();
+        if (is_value(target_.words.words[one.end - 1]) && is_value(one.words.back().text)) return "";
         return is_tight && is_apart && stand_apart(one.words.back().text, target_.words.words[after]) ? " " : "";
     }
 

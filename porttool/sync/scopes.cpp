@@ -137,7 +137,30 @@ std::set<std::string> used_out_of_scope(const std::vector<std::string>& words, c
     return out;
 }
 
+/// Names that a block declares more than once, but for heads of loops and parameters.
+std::set<std::string> declared_twice_in_a_block(const std::vector<std::string>& words) {
+    std::set<std::string> out;
+    std::vector<std::set<std::string_view>> blocks(1);
+    std::vector<int> depths{0};  // of parentheses, in each block
+    for (size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == "{") blocks.emplace_back(), depths.push_back(0);
+        if (words[i] == "}" && blocks.size() > 1) blocks.pop_back(), depths.pop_back();
+        depths.back() += words[i] == "(" ? 1 : words[i] == ")" ? -1 : 0;
+        if (depths.back() > 0 || blocks.size() < 2 || is_member(words, i) || !may_bring(words, i)) continue;
+        if (words[i - 1] == ",") continue;  // it may be an argument of a template
+        if (!blocks.back().insert(words[i]).second) out.insert(words[i]);
+    }
+    return out;
+}
+
 }  // namespace
+
+std::set<std::string> names_doubled(const std::vector<std::string>& before, const std::vector<std::string>& now) {
+    const std::set<std::string> known = declared_twice_in_a_block(before);
+    std::set<std::string> out = declared_twice_in_a_block(now);
+    std::erase_if(out, [&](const std::string& name) { return known.contains(name); });
+    return out;
+}
 
 std::set<std::string> lost_names(const std::vector<std::string>& before, const std::vector<std::string>& now) {
     std::set<std::string> out, brought = parameter_names(now);

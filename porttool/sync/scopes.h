@@ -21,6 +21,9 @@ std::set<std::string> names_out_of_scope(const std::vector<std::string>& words);
 /// still, and declared no more.
 std::set<std::string> lost_names(const std::vector<std::string>& before, const std::vector<std::string>& now);
 
+/// Names that an edit declares twice in one block, as nothing was before.
+std::set<std::string> names_doubled(const std::vector<std::string>& before, const std::vector<std::string>& now);
+
 /// Parameters and variables that are declared as pointers, and none of them otherwise as well.
 std::set<std::string, std::less<>> declared_pointers(const std::vector<std::string>& words);
 

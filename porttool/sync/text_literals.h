@@ -24,4 +24,11 @@ struct LiteralEdit {
 ///     there    "kernel time the device: %g"          "ERROR: file not opened"
 bool may_replace_literal(const LiteralEdit& edit);
 
+/// What the port's literal becomes where words of it are its own, and what changed in the source's stands in it once,
+/// between the same neighbours; "" where that is not so, or where what is shown of values changed.
+///
+///     was      "CUDA assert: %s %d\n"                 is    "CUDA error: %s %d\n"
+///     there    "HIP assert: %s %d\n"                  ->    "HIP error: %s %d\n"
+std::string literal_changed_alike(const LiteralEdit& edit);
+
 }  // namespace porttool

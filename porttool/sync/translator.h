@@ -106,6 +106,8 @@ public:
                !around_.gone.contains(name) && is_from_elsewhere(other, other) && !brought_.contains(other);
     }
 
+    /// True for a text that speaks of what is one side's alone.
+    bool names_one_side(std::string_view literal) const { return known_.names_one_side(literal); }
     /// True for what a file of either side declares, outside of functions or as a field.
     bool is_declared(std::string_view name) const {
         return known_.is_of_source(name) || known_.is_declared_there(name);

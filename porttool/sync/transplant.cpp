@@ -12,6 +12,7 @@
 #include "porttool/sync/changed_clauses.h"
 #include "porttool/sync/edit_reading.h"
 #include "porttool/sync/old_uses.h"
+#include "porttool/sync/operands.h"
 
 namespace porttool {
 namespace {
@@ -26,6 +27,7 @@ public:
         added_ = carry_added_clauses(*this, uses, out_);
         for (size_t c = 0; c < texts_.before.clauses.size(); ++c)
             if (texts_.edit.clause_of[c] == kNothing && !added_.held.contains(c)) remove(c);
+        keep_own_calls();
         keep_blocks_around_own();
         keep_blocks_from_emptying();
         leave_lost();
@@ -107,6 +109,39 @@ private:
         return false;
     }
 
+    /// Where the source calls another function that nothing in the port has, and the port called one of its own all
+    /// along, which it would call now is not told: `image -> set ( data , n ) ;` for `setSize ( n ) ;`.
+    void keep_own_calls() {
+        for (size_t was = 0; was < texts_.before.clauses.size(); ++was) {
+            const size_t there = counterpart(was), is = clause_behind_kept(was);
+            const auto gone = std::find(out_.removed.begin(), out_.removed.end(), there);
+            if (there == kNothing || gone == out_.removed.end() || texts_.edit.clause_of[was] != kNothing) continue;
+            if (is >= origin_.size() || origin_[is] != kNothing || !is_added(is)) continue;
+            const size_t here = called_in(texts_.before, before(was)), other = called_in(texts_.target, target(there)),
+                         made = called_in(texts_.now, now(is));
+            if (here == kNothing || other == kNothing || made == kNothing) continue;
+            const std::string& name = texts_.now.words[made];
+            const std::vector<std::string>& port = texts_.target.words;
+            const bool is_known =
+                std::find(port.begin(), port.end(), name) != port.end() || translator_.is_declared(name);
+            if (is_known || texts_.before.common[here] == texts_.target.common[other]) continue;
+            leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
+                      shown(texts_.before.words, before(was).first, before(was).end) + "`; the port calls `" +
+                      port[other] + "` there",
+                  now(is).first, target(there).first);
+            out_.removed.erase(gone);
+            out_.added.erase(out_.added.begin() + static_cast<std::ptrdiff_t>(added_with(is).first));
+        }
+    }
+
+    /// The first function that a statement calls.
+    static size_t called_in(const AlignedText& text, const Clause& clause) {
+        if (clause.opens || clause.closes) return kNothing;
+        for (size_t i = clause.first; i + 1 < clause.end; ++i)
+            if (is_name(text.words[i]) && text.words[i + 1] == "(") return i;
+        return kNothing;
+    }
+
     /// A block that went with all that the source had in it stays around what the port has of its own there.
     void keep_blocks_around_own() {
         const auto went = [&](size_t c) { return texts_.edit.clause_of[c] == kNothing; };
@@ -161,10 +196,15 @@ private:
 
     /// True if the source has nothing new in the place of a clause that it lost.
     bool goes_for_good(size_t was) const {
-        size_t next = 0;
-        for (size_t i = was; i-- > 0 && next == 0;)
-            if (texts_.edit.clause_of[i] != kNothing) next = texts_.edit.clause_of[i] + 1;
+        const size_t next = clause_behind_kept(was);
         return next < origin_.size() && origin_[next] != kNothing;
+    }
+
+    /// What the source has now behind the nearest clause before one that it kept.
+    size_t clause_behind_kept(size_t was) const {
+        for (size_t i = was; i-- > 0;)
+            if (texts_.edit.clause_of[i] != kNothing) return texts_.edit.clause_of[i] + 1;
+        return 0;
     }
 
     /// Statements that the source lost side by side, and that the port has nothing for at one place, are one item.

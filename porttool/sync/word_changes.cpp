@@ -139,8 +139,9 @@ void WordChanger::change_words_of(Hunk hunk, size_t was, size_t there) {
         return;
     }
     if (hunk.first == hunk.end && first != end) return leave_run(hunk, first, "the port has words of its own there");
-    if (!says(first, end, carry_old(hunk.first, hunk.end).words, true) && !is_name_alone(hunk, first, end) &&
-        !is_text_alike(hunk, first, end))
+    const bool says_old = says(first, end, carry_old(hunk.first, hunk.end).words, true);
+    if (!says_old && !is_text_alike(hunk, first, end) && change_text_alike(hunk, first, end)) return;
+    if (!says_old && !is_name_alone(hunk, first, end) && !is_text_alike(hunk, first, end))
         return leave_run(hunk, first,
                          "the port says `" + shown(texts_.target.words, first, end) + "` there, not `" +
                              shown(texts_.before.words, hunk.first, hunk.end) + "`");
@@ -159,11 +160,40 @@ void WordChanger::put(const Hunk& hunk, size_t first, size_t end, const CarriedW
         translator_.declares_alone(texts_.target.words[first], texts_.now.words[hunk.now_first]))
         return leave_run(hunk, first, "the port declares `" + texts_.target.words[first] + "` itself");
     if (cuts_type(hunk, first, end)) return leave_run(hunk, first, "the port has another type there");
+    const auto goes_on_at = [](const std::vector<std::string>& words, size_t i) {
+        return i < words.size() && is_accessor(words[i]);
+    };
+    if (hunk.end > hunk.first && end > first && goes_on_at(texts_.target.words, end) &&
+        !goes_on_at(texts_.before.words, hunk.end) && is_word_token(texts_.target.words[end - 1]))
+        return leave_run(hunk, first, "the port has an object `" + texts_.target.words[end - 1] + "` there");
+    if (const std::string own = own_idiom(hunk, first, end, now); !own.empty())
+        return leave_run(hunk, first, "the port has `" + own + "` in another form");
     if (const std::string name = indexed_otherwise(now.words); !name.empty())
         return leave_run(hunk, first, "the port has `" + name + "` with other indices");
     if (const std::string why = uses_.doubt_within(now.words, hunk.now_end, first); !why.empty())
         return leave_run(hunk, first, why);
     out_.replaced.push_back({first, end, now.words, hunk.now_first, hunk.now_end});
+}
+
+std::string WordChanger::own_idiom(const Hunk& hunk, size_t first, size_t end, const CarriedWords& now) const {
+    const std::vector<std::string>& there = texts_.target.words;
+    const auto has = [](const auto& words, size_t from, size_t to, const std::string& word) {
+        const auto begin = words.begin() + static_cast<std::ptrdiff_t>(from);
+        return std::find(begin, words.begin() + static_cast<std::ptrdiff_t>(to), word) !=
+               words.begin() + static_cast<std::ptrdiff_t>(to);
+    };
+    if (end - first == hunk.end - hunk.first) return {};
+    const std::vector<std::string> made = texts_of(now.words);
+    const bool brings_name = std::any_of(made.begin(), made.end(), [&](const std::string& word) {
+        return is_name(word) && !has(there, 0, there.size(), word) && !translator_.is_declared(word) &&
+               !has(texts_.before.words, hunk.first, hunk.end, word);
+    });
+    if (!brings_name) return {};
+    for (size_t i = first; i < end; ++i)
+        if (is_name(there[i]) && i + 1 < there.size() && there[i + 1] == "(" &&
+            !has(texts_.before.words, hunk.first, hunk.end, there[i]) && !has(made, 0, made.size(), there[i]))
+            return there[i];
+    return {};
 }
 
 bool WordChanger::cuts_type(const Hunk& hunk, size_t first, size_t end) const {
@@ -182,6 +212,20 @@ bool WordChanger::is_text_alike(const Hunk& hunk, size_t first, size_t end) cons
     return hunk.end == hunk.first + 1 && hunk.now_end > hunk.now_first && end == first + 1 &&
            may_replace_literal(
                {texts_.before.words[hunk.first], texts_.now.words[hunk.now_first], texts_.target.words[first]});
+}
+
+bool WordChanger::change_text_alike(const Hunk& hunk, size_t first, size_t end) {
+    if (!hunk.is_word_for_word() || end != first + 1) return false;
+    const std::string &was = texts_.before.words[hunk.first], &is = texts_.now.words[hunk.now_first];
+    const std::string made = literal_changed_alike({was, is, texts_.target.words[first]});
+    if (made.empty()) return false;
+    const std::vector<std::string> had = small_words_of(was);
+    std::string fresh = "\"";
+    for (const std::string& word : small_words_of(is))
+        if (std::find(had.begin(), had.end(), word) == had.end()) fresh += word + ' ';
+    if (translator_.names_one_side(fresh + '"')) return false;
+    out_.replaced.push_back({first, end, {{made, CarriedWord::kNoSource}}, hunk.now_first, hunk.now_end});
+    return true;
 }
 
 bool WordChanger::loses_way_out(const Hunk& hunk) const {
@@ -368,6 +412,10 @@ bool WordChanger::insert_run(Hunk hunk, size_t was, size_t there) {
     } else if (left != hunk.first && right != hunk.first) {
         return false;
     }
+    if (goes_on_from_missing(hunk)) {
+        leave_run(hunk, place, "the port has nothing there that it goes on from");
+        return true;
+    }
     if (const size_t listed = place_of_enumerator(hunk); listed != kNothing && now.unknown.empty()) {
         const CarriedWords moved = words[hunk.now_first] == "," ? now : with_comma_in_front(now);
         out_.replaced.push_back({listed, listed, moved.words, hunk.now_first, hunk.now_end});
@@ -388,6 +436,18 @@ bool WordChanger::insert_run(Hunk hunk, size_t was, size_t there) {
     }
     put(hunk, place, place, now);
     return true;
+}
+
+bool WordChanger::goes_on_from_missing(const Hunk& hunk) const {
+    const auto joins = [](const std::string& word) {
+        return goes_on(word) || is_one_of(word, {"+",  "-",  "*",  "/",  "%", "<<", ">>", "&",  "|", "^",
+                                                 "&&", "||", "==", "!=", "<", ">",  "<=", ">=", "?", ":"});
+    };
+    const std::vector<std::string>&old = texts_.before.words, &now = texts_.now.words;
+    const auto is_value = [](const std::string& word) { return is_word_token(word) || is_number_token(word); };
+    const bool from_left = hunk.first > 0 && joins(now[hunk.now_first]) && is_value(old[hunk.first - 1]);
+    const bool from_right = hunk.first < old.size() && joins(now[hunk.now_end - 1]) && is_value(old[hunk.first]);
+    return (from_left && word_of(hunk.first - 1) == kNothing) || (from_right && word_of(hunk.first) == kNothing);
 }
 
 size_t WordChanger::start_of_element(size_t first, size_t end) const {

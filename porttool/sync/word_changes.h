@@ -42,6 +42,9 @@ private:
     /// True for `const` and `restrict` alone that came or went.
     bool says_no_value(const Hunk& hunk) const;
     void put(const Hunk& hunk, size_t first, size_t end, const CarriedWords& now);
+    /// A function of the port's own that would go for a name which nothing there has, where the port says what changes
+    /// in other words than the source: `image -> Set ( data ,` for `set (`; "" for none.
+    std::string own_idiom(const Hunk& hunk, size_t first, size_t end, const CarriedWords& now) const;
     /// True for words of a head that hand a value back, where what the port would have of them does not.
     bool loses_way_out(const Hunk& hunk) const;
     /// True where both sides have one name, of a function or of a value, which neither declares, and the source has a
@@ -67,6 +70,9 @@ private:
     /// New words go between the nearest words that stand for some of the target's, if it has nothing of its own there.
     /// Else an argument goes beside the one that it stands beside in the source.
     bool insert_run(Hunk hunk, size_t was, size_t there);
+    /// True for new words that begin, or end, with what joins them to a value beside them which the target has not:
+    /// `- 1` behind `n` of `int lo = 0 , hi = n ;`, where the target has `int first = 0 ;`.
+    bool goes_on_from_missing(const Hunk& hunk) const;
     /// New words of a list, moved to where an element begins or its comma stands: `a , const B b` in front of `const C`
     /// may as well have come as `B b , const` behind `const`. Not to before `first`.
     Hunk from_start_of_element(Hunk hunk, size_t first) const;
@@ -117,6 +123,8 @@ private:
     bool cuts_type(const Hunk& hunk, size_t first, size_t end) const;
     /// True where a text became another, and the target's is near enough to become that as well.
     bool is_text_alike(const Hunk& hunk, size_t first, size_t end) const;
+    /// Changes a text of the port's own words as the source's changed, where none that comes in is of one side alone.
+    bool change_text_alike(const Hunk& hunk, size_t first, size_t end);
     void leave_run(const Hunk& hunk, size_t target_word, const std::string& why);
     void leave(std::string message, size_t source_word, size_t target_word);
 
