@@ -42,6 +42,13 @@ constexpr std::array<std::string_view, 11> kLaunch = {"blocksize",  "worksize", 
                                                       "numthreads", "wgsize",    "teamsize",  "threadsper",
                                                       "blockdim",   "sharedmem", "gridsize"};
 
+/// True for the head of the unit, be it behind lines of attributes.
+bool is_head(const Text& words) {
+    for (size_t i = 0; i + 1 < words.size() && words[i] != "="; ++i)
+        if (words[i] == "@" && words[i + 1] == "(") return i > 0 && is_word_token(words[i - 1]);
+    return false;
+}
+
 }  // namespace
 
 bool is_bare_return(const Text& written) { return !written.empty() && written[0] == "return" && is_path(written, 1); }
@@ -113,6 +120,11 @@ bool is_aside(const Text& words) {
             return true;
     }
     return false;
+}
+
+bool says_nothing(const Text& written) {
+    const bool lone_else = written.size() == 1 && written[0] == "else";
+    return is_aside(written) || is_bare_declaration(written) || is_head(written) || lone_else;
 }
 
 }  // namespace porttool

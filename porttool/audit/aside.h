@@ -30,4 +30,7 @@ bool is_bare_return(const std::vector<std::string>& written);
 /// preprocessor line.
 bool is_aside(const std::vector<std::string>& words);
 
+/// True for an aside, a declaration without a value, a lone `else` and the head of the unit, whose name is `@` there.
+bool says_nothing(const std::vector<std::string>& written);
+
 }  // namespace porttool

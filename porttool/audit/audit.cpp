@@ -238,6 +238,7 @@ private:
             PairReading reading = read_pair(pair, dialect);
             alike_.push_back(reading.alike);
             if (!reading.differs.empty()) differing_.push_back({i, reading.alike, std::move(reading.differs)});
+            for (MissingPlace& slip : reading.slips) differing_.push_back({i, reading.alike, {std::move(slip)}, true});
             for (MissingEdit& edit : reading.missing) {
                 const auto there = file_edits.find(pair[other(edit.side)].unit->file);
                 const bool both = there != file_edits.end() && there->second.contains(edit.commit);

@@ -458,6 +458,26 @@ std::string summary_of(const MissingEdit& edit) {
     return "";
 }
 
+double certainty_of_today(const DifferingPair& one, const TodaysPair& pair) {
+    constexpr double kMost = 0.3;  // nothing tells which side is right, or whether they were ever to be the same
+    if (one.is_slip) return static_cast<double>(one.places.front().strength) * pair.score;
+    return kMost * static_cast<double>(one.alike) * pair.score / static_cast<double>(one.places.size());
+}
+
+std::vector<DifferingPair> surest_first(std::vector<DifferingPair> differing, const TodaysPairs& today) {
+    std::stable_sort(differing.begin(), differing.end(), [&](const DifferingPair& a, const DifferingPair& b) {
+        return certainty_of_today(a, today.pairs[a.pair]) > certainty_of_today(b, today.pairs[b.pair]);
+    });
+    return differing;
+}
+
+std::string summary_of_today(const MissingPlace& place) {
+    const auto quoted = [](const WrittenStatement& statement) { return "`" + shown_statement(statement) + "`"; };
+    if (place.there.empty()) return "the source has " + quoted(place.now) + ", and the target nothing like it";
+    if (place.now.empty()) return "the target has " + quoted(place.there) + ", and the source nothing like it";
+    return "the source has " + quoted(place.now) + ", the target " + quoted(place.there);
+}
+
 std::string remedy_for_pair(const TodaysPair& pair, const TodaysPairs& today) {
     return std::string(today.snapshot.project.has_map ? "" : "porttool init, then ") + "porttool ignore '" +
            pair.id.source + "=" + pair.id.target + "' --reason TEXT";
@@ -534,12 +554,11 @@ void take_witness(const DifftestPair& ran, AuditItem& item) {
 
 std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differing, const TodaysPairs& today,
                                       const Habits& habits) {
-    constexpr double kMost = 0.3;  // nothing tells which side is right, or whether they were ever to be the same
     std::map<std::string, size_t> folded;  // by the words that differ: an item
     const std::set<size_t> astray = pairs_astray(today), beside = pairs_beside_namesakes(today),
                            odd_files = pairs_in_odd_files(today);
     std::vector<AuditItem> out;
-    for (const DifferingPair& one : differing) {
+    for (const DifferingPair& one : surest_first(differing, today)) {
         const TodaysPair& pair = today.pairs[one.pair];
         MissingPlace place = one.places.front();
         if (habits.contains(habit_of(place, Side::Source)) || astray.contains(one.pair) || beside.contains(one.pair) ||
@@ -551,21 +570,20 @@ std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differin
             today.unit(pair, Side::Source).file + ' ' + today.unit(pair, Side::Target).file;
         const auto [known, is_new] = folded.try_emplace(core_of(place, files), out.size());
         if (!is_new) {
-            out[known->second].same.emplace_back(pair.id.source, pair.id.target);
+            AuditItem& first = out[known->second];
+            if (first.id.source != pair.id.source || first.id.target != pair.id.target)
+                first.same.emplace_back(pair.id.source, pair.id.target);
             continue;
         }
         AuditItem item;
         item.id = pair.id;
         for (const Side side : kBothSides) item.line[side] = today.unit(pair, side).start_line;
-        item.summary = "the source has `" + shown_statement(one.places.front().now) + "`, the target `" +
-                       shown_statement(one.places.front().there) + "`";
-        item.certainty = kMost * static_cast<double>(one.alike) * pair.score / static_cast<double>(one.places.size());
+        item.summary = summary_of_today(one.places.front());
+        item.certainty = certainty_of_today(one, pair);
         item.remedy = remedy_for_pair(pair, today);
         item.places = one.places;
         out.push_back(std::move(item));
     }
-    std::stable_sort(out.begin(), out.end(),
-                     [](const AuditItem& a, const AuditItem& b) { return a.certainty > b.certainty; });
     return out;
 }
 

@@ -17,6 +17,7 @@ struct DifferingPair {
     size_t pair = 0;  ///< in TodaysPairs
     float alike = 0;
     std::vector<MissingPlace> places;
+    bool is_slip = false;  ///< its place looks like a slip, as sure as `strength` says, whatever else differs
 };
 
 /// What one commit did to one side of a pair and the other lacks.

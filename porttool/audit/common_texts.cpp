@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "porttool/audit/components.h"
 #include "porttool/audit/essence.h"
 #include "porttool/compare/meaning.h"
 #include "porttool/language/words.h"
@@ -61,6 +62,7 @@ CommonTexts::CommonTexts(const BySide<SideOfPair>& pair, const Dialect& dialect)
     }
     learn_parameters();
     learn_names();
+    for (const Side side : kBothSides) join_components(side);
     for (const Side side : kBothSides) {
         for (const auto& words : sides[side].words) unit_words[side].insert(words.begin(), words.end());
         read_past(side);
@@ -106,8 +108,34 @@ void CommonTexts::read_past(Side side) {
     const UnitLineage& lineage = *pair_[side].lineage;
     for (const StatementLineage& line : lineage.statements())
         for (const LineageStep& step : line.steps)
-            if (!step.before.empty()) had_[side].insert(translated(step.before, side, true));
+            if (!step.before.empty()) had_[side].insert(past_of(line.index, step.before, side));
     for (const RemovedStatement& one : lineage.removed()) had_[side].insert(translated(one.text, side, true));
+}
+
+std::vector<std::string> CommonTexts::past_of(size_t index, const WrittenStatement& before, Side side) const {
+    std::vector<std::string> out = translated(before, side, index > 0);
+    if (joined_[side].contains(index))
+        if (auto whole = without_component(out)) return *std::move(whole);
+    return out;
+}
+
+void CommonTexts::join_components(Side side) {
+    const auto best = [&](const WeighedWords& one) {
+        const auto& others = sides[other(side)].weighed;
+        const Nearest near = nearest(one, others);
+        return near.any ? likeness(one, others[near.index]) : 0;
+    };
+    ReadSide& own = sides[side];
+    for (const ComponentRun& run : component_runs(own.words)) {
+        const WeighedWords whole = weigher_.weighed(run.whole);
+        if (best(whole) <= best(own.weighed[run.first])) continue;
+        for (size_t i = run.first; i < run.end; ++i) {
+            own.words[i] = run.whole;
+            own.weighed[i] = whole;
+            joined_[side].insert(i);
+            if (i > run.first) own.repeats.insert(i);
+        }
+    }
 }
 
 std::vector<std::string> CommonTexts::parameters_of(Side side) const {
@@ -225,8 +253,14 @@ std::set<std::string> CommonTexts::locals_of(Side side) const {
 float CommonTexts::alike() const {
     std::map<std::vector<uint32_t>, size_t> there;
     float all = 0, common = 0;
-    for (const WeighedWords& one : sides.target.weighed) ++there[one.words], all += one.sum;
-    for (const WeighedWords& one : sides.source.weighed) {
+    for (size_t i = 0; i < sides.target.weighed.size(); ++i) {
+        if (sides.target.repeats.contains(i)) continue;
+        ++there[sides.target.weighed[i].words];
+        all += sides.target.weighed[i].sum;
+    }
+    for (size_t i = 0; i < sides.source.weighed.size(); ++i) {
+        if (sides.source.repeats.contains(i)) continue;
+        const WeighedWords& one = sides.source.weighed[i];
         all += one.sum;
         if (const auto found = there.find(one.words); found != there.end() && found->second > 0) {
             --found->second;

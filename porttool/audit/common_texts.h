@@ -37,6 +37,7 @@ struct ReadSide {
     std::vector<WrittenStatement> written;
     std::vector<std::vector<std::string>> words;  ///< in the vocabulary of both sides
     std::vector<WeighedWords> weighed;
+    std::set<size_t> repeats;  ///< statements that say for another component what the one before them says
 };
 
 /// Both texts of a pair, and what they were, in one vocabulary: names that the sides give to one thing are one, and
@@ -54,6 +55,12 @@ public:
 
     WeighedWords weighed(const WrittenStatement& statement, Side side, bool in_body) {
         return weigher_.weighed(translated(statement, side, in_body));
+    }
+
+    /// What a statement of today was before: like that one without its component, where that one is.
+    std::vector<std::string> past_of(size_t index, const WrittenStatement& before, Side side) const;
+    WeighedWords weighed_past_of(size_t index, const WrittenStatement& before, Side side) {
+        return weigher_.weighed(past_of(index, before, side));
     }
 
     /// A translated statement with the values of such locals in their place that are set once, without round brackets.
@@ -100,6 +107,11 @@ private:
     /// Names that one side has and the other does not, where they stand in statements that are otherwise one: the
     /// target's word becomes the source's.
     void learn_names();
+
+    /// Statements that do for one component after another what the other side does for all of them say what that says.
+    ///
+    ///     c . r = c . r * k ;  c . g = c . g * k ;  c . b = c . b * k ;       c = c * k ;
+    void join_components(Side side);
     void find_new_locals(Side side);
 
     /// What the locals hold that are set once, where they are declared, and the statements with those written out.
@@ -112,6 +124,7 @@ private:
     BySide<Words> past_, now_;
     std::optional<Meaning> meaning_;
     BySide<std::map<std::string, std::string>> names_;
+    BySide<std::set<size_t>> joined_;  ///< statements without their component
     Weigher weigher_;
     std::set<std::string> types_;                     ///< names of types, of both sides, as the units declare by them
     BySide<std::set<std::string>> new_locals_;        ///< no parameters, and nothing that the other unit names, too

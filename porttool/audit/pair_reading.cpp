@@ -12,6 +12,7 @@
 #include "porttool/audit/replaced_statement.h"
 #include "porttool/audit/said_otherwise.h"
 #include "porttool/audit/same_value.h"
+#include "porttool/audit/todays_difference.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/statements.h"
 #include "porttool/text/is_one_of.h"
@@ -44,53 +45,15 @@ public:
         out.alike = texts_.alike();
         if (has_any_past)
             for (const Side side : kBothSides) judge_side(side, out.missing);
-        if (out.missing.empty()) out.differs = differences(out.alike);
+        const TodaysDifferences today(texts_, otherwise_);
+        if (out.missing.empty()) out.differs = today.few();
+        out.slips = today.slips();
+        drop_what_is_told(out);
         drop_what_the_other_undid(out.missing);
         return out;
     }
 
 private:
-    /// The statements that are not the same today, where they are few and the rest is; where the rest is not, those
-    /// that differ by a slip.
-    std::vector<MissingPlace> differences(float alike_now) const {
-        constexpr float kTwins = 0.5f, kSameStatement = 0.7f, kTelling = 7;
-        constexpr size_t kFew = 8;
-        std::vector<MissingPlace> out;
-        const ReadSide &source = texts_.sides.source, &target = texts_.sides.target;
-        const bool twins = alike_now >= kTwins || source.words.size() == 1;
-        for (size_t i = source.words.size() > 1 ? 1 : 0; i < source.words.size(); ++i) {
-            const Nearest near = nearest(source.weighed[i], target.weighed);
-            if (!near.any || near.distance <= 0 || has_twin(Side::Source, target.weighed[near.index])) continue;
-            if (!twins &&
-                (source.weighed[i].sum < kTelling || !differs_by_a_slip(target.words[near.index], source.words[i])))
-                continue;
-            if (says_nothing(source.written[i]) &&
-                !declares_another_value(words_of_statement(target.written[near.index]),
-                                        words_of_statement(source.written[i])))
-                continue;
-            if (1 - near.distance / (source.weighed[i].sum + target.weighed[near.index].sum) < kSameStatement) continue;
-            const float substance =
-                substance_of(target.words[near.index], source.words[i], texts_.known_there(Side::Source));
-            if (substance < kSameStatement) continue;
-            MissingPlace place;
-            place.now = source.written[i];
-            place.there = target.written[near.index];
-            const std::vector<std::string> here = words_of_statement(place.now),
-                                           there = words_of_statement(place.there);
-            if (renames_what_it_declares(there, here) || is_turned_round(there, here)) continue;
-            if (give_the_same_value(target.words[near.index], source.words[i], has_real_number(here))) continue;
-            if (runs_other_threads(here, there)) continue;
-            if (takes_in_other_order(target.words[near.index], source.words[i])) continue;
-            if (fits_narrower_type(place.there, place.now, place.there) ||
-                fits_narrower_type(place.now, place.there, place.now))
-                continue;
-            place.strength = substance;
-            out.push_back(std::move(place));
-        }
-        if (out.size() > kFew) out.clear();
-        return out;
-    }
-
     void judge_side(Side side, std::vector<MissingEdit>& out) {
         std::map<uint32_t, MissingEdit> by_commit;
         const auto note = [&](uint32_t commit, MissingPlace place) {
@@ -116,10 +79,13 @@ private:
         const auto& others = texts_.sides[other(side)].weighed;
         const auto& here = texts_.sides[side].weighed;
         size_t there_count = 0, here_count = 0;
-        for (const WeighedWords& one : others)
-            if (std::abs(one.sum - old_text.sum) <= far && distance(old_text, one) <= far) ++there_count;
+        for (size_t i = 0; i < others.size(); ++i)
+            if (!texts_.sides[other(side)].repeats.contains(i) && std::abs(others[i].sum - old_text.sum) <= far &&
+                distance(old_text, others[i]) <= far)
+                ++there_count;
         for (size_t i = 0; i < here.size(); ++i)
-            if (i != own && std::abs(here[i].sum - others[there].sum) <= far && distance(here[i], others[there]) <= far)
+            if (i != own && !texts_.sides[side].repeats.contains(i) &&
+                std::abs(here[i].sum - others[there].sum) <= far && distance(here[i], others[there]) <= far)
                 ++here_count;
         return here_count >= there_count;
     }
@@ -128,7 +94,8 @@ private:
     void judge_line(Side side, const StatementLineage& line, const Note& note) {
         const WrittenStatement& today = texts_.sides[side].written[line.index];
         const bool bare = is_bare_declaration(words_of_statement(today));
-        if (line.steps.empty() || line.index == 0 || (says_nothing(today) && !bare)) return;
+        if (line.steps.empty() || line.index == 0 || (says_nothing(words_of_statement(today)) && !bare)) return;
+        if (texts_.sides[side].repeats.contains(line.index)) return;  // the one before says it
         const auto& others = texts_.sides[other(side)].weighed;
         const WeighedWords& now = texts_.sides[side].weighed[line.index];
         const Nearest of_now = nearest(now, others);
@@ -141,7 +108,7 @@ private:
         WeighedWords old_text;
         for (size_t k = 0; k < line.steps.size(); ++k) {
             if (line.steps[k].before.empty()) continue;
-            WeighedWords past = texts_.weighed(line.steps[k].before, side, line.index > 0);
+            WeighedWords past = texts_.weighed_past_of(line.index, line.steps[k].before, side);
             const Nearest near = nearest(past, others);
             if (near.any && near.distance < of_now.distance &&
                 (best == line.steps.size() || near.distance < found.distance)) {
@@ -172,7 +139,7 @@ private:
         place.now = today;
         place.there = texts_.sides[other(side)].written[found.index];
         if (is_aside(words_of_statement(place.before)) || is_aside(words_of_statement(place.there))) return;
-        const std::vector<std::string> was = texts_.translated(place.before, side, true);
+        const std::vector<std::string> was = texts_.past_of(line.index, place.before, side);
         if (texts_.written_out(was, side) == whole) return;  // a value got a name
         if (give_the_same_value(was, texts_.sides[side].words[line.index], has_real_number(words_of_statement(today))))
             return;
@@ -199,20 +166,6 @@ private:
         place.constants_only = numbers_alone(place.before, place.now);
         place.around = around(side, line.index);
         note(line.steps[told].commit, std::move(place));
-    }
-
-    static bool says_nothing(const WrittenStatement& statement) {
-        const std::vector<std::string> words = words_of_statement(statement);
-        return is_aside(words) || is_bare_declaration(words) || is_head(words) || is_lone_else(words);
-    }
-
-    static bool is_lone_else(const std::vector<std::string>& words) { return words.size() == 1 && words[0] == "else"; }
-
-    /// True for the head of the unit, whose name is `@` there, be it behind lines of attributes.
-    static bool is_head(const std::vector<std::string>& words) {
-        for (size_t i = 0; i + 1 < words.size() && words[i] != "="; ++i)
-            if (words[i] == "@" && words[i + 1] == "(") return i > 0 && is_word_token(words[i - 1]);
-        return false;
     }
 
     float around(Side side, size_t index) const {
@@ -256,7 +209,10 @@ private:
         std::map<std::vector<uint32_t>, size_t> here;
         for (const WeighedWords& own : texts_.sides[side].weighed) ++here[own.words];
         std::vector<WeighedWords> out;
-        for (const WeighedWords& there : texts_.sides[other(side)].weighed) {
+        const ReadSide& others = texts_.sides[other(side)];
+        for (size_t i = 0; i < others.weighed.size(); ++i) {
+            if (others.repeats.contains(i)) continue;
+            const WeighedWords& there = others.weighed[i];
             const auto twin = here.find(there.words);
             if (twin == here.end() || twin->second == 0)
                 out.push_back(there);
@@ -264,12 +220,6 @@ private:
                 --twin->second;
         }
         return out;
-    }
-
-    /// True for a statement of the other side that stands on this side, too.
-    bool has_twin(Side side, const WeighedWords& there) const {
-        return std::none_of(alone_[side].begin(), alone_[side].end(),
-                            [&](const WeighedWords& one) { return one.words == there.words; });
     }
 
     /// How alike the statement is to the nearest of those.
@@ -313,7 +263,7 @@ private:
     template <class Note>
     void judge_removed(Side side, const RemovedStatement& one, const Note& note) {
         const auto& others = texts_.sides[other(side)].weighed;
-        if (says_nothing(one.text) || is_bare_return(words_of_statement(one.text))) return;
+        if (says_nothing(words_of_statement(one.text)) || is_bare_return(words_of_statement(one.text))) return;
         const WeighedWords old_text = texts_.weighed(one.text, side, true);
         const Nearest near = nearest(old_text, others), own = nearest(old_text, texts_.sides[side].weighed);
         if (!near.any || near.index == 0) return;
@@ -345,6 +295,18 @@ private:
             return !line.steps.empty() && line.steps.back().before.empty() && line.steps.back().commit == commit &&
                    heads_loop(texts_.sides[side].words[line.index]);
         });
+    }
+
+    /// A slip that an edit of the past, or what few statements differ in, tells of is no item of its own.
+    static void drop_what_is_told(PairReading& out) {
+        std::set<std::string> told;
+        const auto key = [](const MissingPlace& place) { return place.now.empty() ? place.there : place.now; };
+        for (const MissingEdit& edit : out.missing)
+            for (const MissingPlace& place : edit.places) told.insert({place.now, place.there});
+        std::erase_if(out.slips, [&](const MissingPlace& place) { return told.contains(key(place)); });
+        std::set<std::string> slips;
+        for (const MissingPlace& place : out.slips) slips.insert(key(place));
+        std::erase_if(out.differs, [&](const MissingPlace& place) { return slips.contains(key(place)); });
     }
 
     /// Where both sides were edited apart in one place, only the newer edit is the one to follow.

@@ -16,8 +16,9 @@ namespace porttool {
 struct PairReading {
     std::vector<MissingEdit> missing;
     std::vector<MissingPlace>
-        differs;      ///< what few statements the two sides say otherwise today, with `now` the source's
-    float alike = 0;  ///< share of the words that stand in statements that both sides have today
+        differs;  ///< what few statements the two sides say otherwise today, with `now` the source's
+    std::vector<MissingPlace> slips;  ///< what looks like a slip of one side, as TodaysDifferences has it
+    float alike = 0;                  ///< share of the words that stand in statements that both sides have today
 };
 
 /// A statement in the common vocabulary, as one text.

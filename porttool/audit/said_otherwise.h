@@ -20,10 +20,14 @@ public:
 
     /// True if it surely is, or has no need to be.
     bool is_said(Side side, size_t index) const {
-        return has_in_shape(side, index) || stands_alike_in_file(side, index) || only_brings(side, index) ||
-               only_guards(side, index) || is_part_of_swap(side, index) || is_bound_of_loop(side, index) ||
-               names_value(side, index) || is_label_by_ending(side, index) ||
-               heads_a_message(texts_.sides[side], index) ||
+        return stands_alike_in_file(side, index) || is_said_in_unit(side, index);
+    }
+
+    /// The same, whatever other functions say: of a guard, which many functions have.
+    bool is_said_in_unit(Side side, size_t index) const {
+        return has_in_shape(side, index) || only_brings(side, index) || only_guards(side, index) ||
+               is_part_of_swap(side, index) || is_bound_of_loop(side, index) || names_value(side, index) ||
+               is_label_by_ending(side, index) || heads_a_message(texts_.sides[side], index) ||
                is_clamped_otherwise(texts_.sides[side], index, texts_.sides[other(side)]) ||
                is_asked_in_part(texts_.sides[side], index, texts_.sides[other(side)]) ||
                is_alternative(texts_.sides[side], index, texts_.sides[other(side)]);

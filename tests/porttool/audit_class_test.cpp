@@ -7,9 +7,11 @@
 #include <iterator>
 #include <sstream>
 
+#include "porttool/audit/components.h"
 #include "porttool/audit/edit_class.h"
 #include "porttool/audit/message.h"
 #include "porttool/audit/same_value.h"
+#include "porttool/audit/todays_difference.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool::testing::audit_class_test {
@@ -194,6 +196,51 @@ TEST(AuditValues, CastsDoNotCount) {
         EXPECT_EQ(give_the_same_value(words_of(row.a), words_of(row.b)), row.same) << row.a << "   " << row.b;
     EXPECT_FALSE(give_the_same_value(words_of("x = a * ( 3 / 2 )"), words_of("x = a * 3 / 2"))) << "perhaps integers";
     EXPECT_TRUE(give_the_same_value(words_of("x = a * ( 3 / 2 )"), words_of("x = a * 3 / 2"), true));
+}
+
+// A run is one but for the component, which is the same throughout a statement.
+TEST(AuditComponents, AreOneVectorWhereTheyDoTheSame) {
+    const auto runs = [](const std::vector<std::string>& statements) {
+        std::vector<std::vector<std::string>> words;
+        for (const std::string& one : statements) words.push_back(words_of(one));
+        std::string out;
+        for (const ComponentRun& run : component_runs(words))
+            out += std::to_string(run.first) + "-" + std::to_string(run.end) + " ";
+        return out;
+    };
+    EXPECT_EQ(runs({"c . x = c . x * k", "c . y = c . y * k", "c . z = c . z * k", "d = k"}), "0-3 ");
+    EXPECT_EQ(runs({"d = k", "c . r = k", "c . g = k", "c . a = k", "c . r = n"}), "1-4 ");
+    EXPECT_EQ(runs({"c . R = k", "c . G = k", "e . x = k", "e . y = k"}), "0-2 2-4 ");
+    EXPECT_EQ(runs({"c . w = k", "c . x = k", "c . y = k"}), "1-3 ");
+    EXPECT_EQ(runs({"c . x = k"}), "");                       // alone
+    EXPECT_EQ(runs({"c . x = e . x", "c . y = e . x"}), "");  // the wrong one
+    EXPECT_EQ(runs({"c . x = e . y", "c . y = e . z"}), "");  // they change places
+    EXPECT_EQ(runs({"c . x = 1", "c . y = 2"}), "");          // not the same
+    EXPECT_EQ(runs({"c . y = k", "c . x = k"}), "");          // another order
+    EXPECT_EQ(runs({"o . x ( )", "o . y ( )"}), "");          // calls
+}
+
+TEST(AuditSlips, OneSideHasAnOperandMore) {
+    const auto more = [](const std::string& a, const std::string& b) -> std::string {
+        const auto found = operand_more(words_of(a), words_of(b));
+        if (!found) return "none";
+        std::string out = found->first_has_it ? "first:" : "second:";
+        for (const std::string& word : found->words) out += " " + word;
+        return out;
+    };
+    EXPECT_EQ(more("a = b * k", "a = b"), "first: * k");
+    EXPECT_EQ(more("a = b", "a = b / 256"), "second: / 256");
+    EXPECT_EQ(more("if ( a > b && open )", "if ( a > b )"), "first: && open");
+    EXPECT_EQ(more("a = min ( b , 1 )", "a = b"), "first: min ( , 1 )");
+    EXPECT_EQ(more("a = b / ( c * d )", "a = b / c"), "first: ( * d )");
+    EXPECT_EQ(more("a = - b", "a = b"), "first: -");
+    EXPECT_EQ(more("a = b * k", "c = b"), "none");              // another variable
+    EXPECT_EQ(more("a = b * k", "a = d"), "none");              // more than that
+    EXPECT_EQ(more("a = b", "a = b"), "none");                  // the same
+    EXPECT_EQ(more("a = f ( b , c )", "a = f ( b )"), "none");  // an argument
+    EXPECT_EQ(more("if ( ! a )", "if ( a )"), "none");          // its opposite
+    EXPECT_EQ(more("a = f ( b )", "a = b"), "none");            // a call
+    EXPECT_EQ(more("a = b * ( c", "a = b"), "none");            // half of a bracket
 }
 
 }  // namespace
