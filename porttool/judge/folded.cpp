@@ -143,7 +143,9 @@ std::string what_others_are(const Finding& first) {
             if (is_of_branches(first.details)) return "more pairs have parts in other branches for the compiler";
             if (!types_exchanged(first.details).empty()) return "more pairs take other types, too";
             if (is_in_doubt(first)) return "more pairs have edits that have little to do with their other side";
-            if (!first.causes.empty()) return "more pairs give things the same new names";
+            if (!first.causes.empty())
+                return first.causes.front().starts_with('+') ? "more pairs bring the same new names"
+                                                             : "more pairs give things the same new names";
             return handed_on(first.details).empty() ? "more pairs have the same edit" : "more pairs hand on the same";
     }
 }
@@ -308,6 +310,9 @@ private:
     std::vector<std::vector<Finding*>> groups_;
 };
 
+/// True for a line that names another finding which is told with this one.
+bool is_of_another(const std::string& line) { return line.starts_with("also: "); }
+
 /// The first says what the others are and lists them; they become notes that name it.
 void tell_with(Finding& first, std::span<Finding* const> others, const std::string& what_they_are) {
     first.message += fmt::format("; {} {}:", others.size(), what_they_are);
@@ -318,6 +323,7 @@ void tell_with(Finding& first, std::span<Finding* const> others, const std::stri
         const std::string& id = other_port ? other.map_target : subject_of(other);
         if (i < kShown) first.message += (i > 0 ? ", " : " ") + named_briefly(id, other);
         first.details.push_back("also: " + named_briefly(id, other));
+        std::copy_if(other.details.begin(), other.details.end(), std::back_inserter(first.details), is_of_another);
         other.level = Level::Note;
         other.message += "; told with " + named_briefly(subject_of(first), first);
     }
@@ -333,8 +339,7 @@ void tell_with_worst(std::vector<Finding*>& group) {
 
 /// True if others are told with it already.
 bool has_others(const Finding& finding) {
-    return std::any_of(finding.details.begin(), finding.details.end(),
-                       [](const std::string& line) { return line.starts_with("also: "); });
+    return std::any_of(finding.details.begin(), finding.details.end(), is_of_another);
 }
 
 }  // namespace
@@ -376,7 +381,8 @@ void fold_findings(FindingList& findings, const MapFile& map) {
             tell_with(*group.front(), std::span(group).subspan(1), "more pairs have the same edit in their own names");
     CauseGroups known;
     for (Finding* finding : loud)
-        if (finding->level > Level::Note && !finding->causes.empty() && !has_others(*finding))
+        if (finding->level > Level::Note && !finding->causes.empty() &&
+            (!is_in_doubt(*finding) || !has_others(*finding)))
             known.add(*finding, finding->causes);
     for (std::vector<Finding*>& group : known.run())
         if (group.size() > 1) tell_with_worst(group);

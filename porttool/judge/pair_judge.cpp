@@ -502,7 +502,7 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
         return weaken(pair, finding, Level::Note, "it only reaches members through a pointer, or no longer does");
     if (const std::string swept = swept_names_.say(side, texts.before, texts.now); !swept.empty())
         return weaken(pair, finding, Level::Note, swept);
-    finding.causes = swept_names_.new_names(side, now.file, texts.before, texts.now);
+    finding.causes = swept_names_.causes(side, now.file, texts.before, texts.now);
     if (structs) {
         if (const auto base = only_changes_base(texts.before, texts.now); !base.empty() && !own_names_.of(side, base))
             return weaken(pair, finding, Level::Note, "it only derives from what is not of the project, or no longer");
@@ -652,6 +652,8 @@ void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& be
     if (!swept_names_.say(Side::Source, then.source, now.source).empty() &&
         !swept_names_.say(Side::Target, then.target, now.target).empty())
         weigh(Level::Note, "both only give things new names, as all of both sides does");
+    else if (is_declared_alike && swept_names_.are_same_on_both(texts))
+        weigh(Level::Note, "both only give the same things the same new names");
     else if (only_adds_labels_of_other(then.source, now.source, now.target) &&
              only_adds_labels_of_other(then.target, now.target, now.source))
         weigh(Level::Note, "the same labels joined an arm on both sides");

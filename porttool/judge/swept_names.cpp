@@ -3,14 +3,18 @@
 #include "porttool/judge/swept_names.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string_view>
 #include <unordered_map>
 
 #include "porttool/judge/own_names.h"
 #include "porttool/language/words.h"
+#include "porttool/normal/diff.h"
+#include "porttool/normal/locals.h"
 #include "porttool/scan/declared_words.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
@@ -26,6 +30,67 @@ std::set<std::pair<std::string, std::string>> exchanged_names(const Words& befor
         if (before[i] == now[i]) continue;
         if (!is_word_token(before[i]) || !is_word_token(now[i])) return {};
         out.emplace(before[i], now[i]);
+    }
+    return out;
+}
+
+/// The names, with their scopes, that took the place of others, where that is all that an edit did.
+struct ExchangedPaths {
+    std::map<std::string, std::string> names;  ///< before, now; none where more was edited
+    std::set<std::string> had, left;           ///< that stood in the text, and that stand there now
+
+    ExchangedPaths(const Words& before, const Words& now) {
+        const std::vector<std::string> old_ones = with_whole_paths(before), new_ones = with_whole_paths(now);
+        if (old_ones.size() != new_ones.size()) return;
+        for (size_t i = 0; i < old_ones.size(); ++i) {
+            if (is_word_token(old_ones[i])) had.insert(old_ones[i]);
+            if (is_word_token(new_ones[i])) left.insert(new_ones[i]);
+            if (old_ones[i] == new_ones[i]) continue;
+            const bool is_name = is_word_token(old_ones[i]) && is_word_token(new_ones[i]) &&
+                                 roles_of(old_ones[i]) == 0 && roles_of(new_ones[i]) == 0;
+            if (!is_name || names.emplace(old_ones[i], new_ones[i]).first->second != new_ones[i]) {
+                names.clear();
+                return;
+            }
+        }
+    }
+
+private:
+    /// `a::b::c` of `a :: b :: c`.
+    static std::vector<std::string> with_whole_paths(const Words& words) {
+        std::vector<std::string> out;
+        for (size_t i = 0; i < words.size(); ++i) {
+            const bool goes_on =
+                i >= 2 && words[i - 1] == "::" && is_word_token(words[i - 2]) && is_word_token(words[i]);
+            if (goes_on)
+                (out.back() += "::") += words[i];
+            else if (words[i] != "::" || i == 0 || i + 1 >= words.size() || !is_word_token(words[i - 1]))
+                out.emplace_back(words[i]);
+        }
+        return out;
+    }
+};
+
+/// What an edit added, by places of the new text, each from where an item begins: text within an expression may change
+/// a value beside a new name, as `n + 1 - 1, fuse` for `n + 1` does. None where it did anything else.
+std::vector<std::pair<size_t, size_t>> added_items(const Words& before, const Words& now) {
+    std::vector<std::pair<size_t, size_t>> out;
+    for (const DiffStep& step : diff(before, now)) {
+        if (step.kind == DiffStep::Remove) return {};
+        if (step.kind == DiffStep::Keep) continue;
+        if (out.empty() || out.back().second != step.now) out.emplace_back(step.now, step.now);
+        ++out.back().second;
+    }
+    const auto begins_item = [&](size_t at) {
+        const auto sets_apart = [](std::string_view word) {
+            return is_one_of(word, {";", "{", "}", "(", ",", ":", "#"});
+        };
+        return at == 0 || sets_apart(now[at]) || sets_apart(now[at - 1]);
+    };
+    for (auto& [first, end] : out) {
+        // `) , g ( x` between `f ( x` and `)` is as well `, g ( x )` behind it.
+        while (!begins_item(first) && end < now.size() && now[first] == now[end]) ++first, ++end;
+        if (!begins_item(first)) return {};
     }
     return out;
 }
@@ -83,11 +148,16 @@ std::string SweptNames::say(Side side, const Words& before, const Words& now) {
     return {};
 }
 
+std::vector<std::string> SweptNames::causes(Side side, const std::string& file, const Words& before, const Words& now) {
+    if (!facts_.files) return {};
+    std::vector<std::string> out = new_names(side, file, before, now);
+    return out.empty() ? brought_names(side, before, now) : out;
+}
+
 std::vector<std::string> SweptNames::new_names(Side side, const std::string& file, const Words& before,
                                                const Words& now) {
     constexpr size_t kUnits = 3;
     std::vector<std::string> out;
-    if (!facts_.files) return out;
     const auto names = exchanged_names(before, now);
     if (!are_no_calls(now, names)) return out;
     for (const Name& name : names) {
@@ -97,10 +167,60 @@ std::vector<std::string> SweptNames::new_names(Side side, const std::string& fil
             if (other.second == name.second) units += times.in_all;
             if (other.first == name.first && other.second != name.second) is_gone = false;
         }
-        if (!is_gone || units < kUnits || is_in_code_of(facts_, side, file, name.first)) return {};
-        out.push_back(name.second);
+        if (!is_gone || is_in_code_of(facts_, side, file, name.first)) return {};
+        if (units >= kUnits) out.push_back(name.second);
     }
     return out;
+}
+
+/// Locals of a body do not count: many have one name by chance.
+std::vector<std::string> SweptNames::brought_names(Side side, const Words& before, const Words& now) {
+    const std::vector<size_t> numbers = local_numbers(now);
+    const auto body = static_cast<size_t>(std::find(now.begin(), now.end(), "{") - now.begin());
+    std::set<std::string_view> taken, own;
+    for (size_t i = 0; i < now.size(); ++i)
+        if (i < numbers.size() && numbers[i] != 0) (i < body ? taken : own).insert(now[i]);
+    std::vector<std::string> out;
+    for (const auto& [first, end] : added_items(before, now)) {
+        bool has_name = false;
+        for (size_t i = first; i < end; ++i) {
+            if ((own.contains(now[i]) && !taken.contains(now[i])) || !is_brought(side, now[i])) continue;
+            has_name = true;
+            out.push_back("+ " + std::string(now[i]));
+        }
+        if (!has_name) return {};
+    }
+    return out;
+}
+
+/// True for a name that no unit has which is as it was recorded.
+bool SweptNames::is_brought(Side side, std::string_view name) {
+    if (!is_word_token(name) || roles_of(name) != 0) return false;
+    const auto known = brought_[side].find(name);
+    if (known != brought_[side].end()) return known->second;
+    if (brought_[side].size() >= kMostNames) return false;
+    return brought_[side][std::string(name)] = is_new(side, std::string(name));
+}
+
+bool SweptNames::are_same_on_both(const PairTexts& texts) const {
+    if (!facts_.files) return false;
+    const BySide<ExchangedPaths> sides{ExchangedPaths(texts.source_before, texts.source_now),
+                                       ExchangedPaths(texts.target_before, texts.target_now)};
+    std::map<std::string, std::string> all, back;
+    bool is_any_common = false;
+    for (const Side side : kBothSides) {
+        if (sides[side].names.empty()) return false;
+        for (const auto& [before, now] : sides[side].names) {
+            if (all.emplace(before, now).first->second != now || back.emplace(now, before).first->second != before)
+                return false;
+            const bool is_common = sides[other(side)].names.contains(before);
+            is_any_common = is_any_common || is_common;
+            for (const Side one : kBothSides)
+                if (sides[one].left.contains(before) || sides[one].had.contains(now)) return false;
+            if (!is_common && is_in_code(facts_, side, before.substr(before.rfind(':') + 1))) return false;
+        }
+    }
+    return is_any_common;
 }
 
 bool SweptNames::is_swept_type(Side side, const Name& name) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "porttool/compare/meaning.h"
 #include "porttool/judge/judge.h"
 
 namespace porttool {
@@ -27,10 +28,19 @@ public:
     /// What is to say of the edit of a text of that side if it did nothing else; else "".
     std::string say(Side side, const Words& before, const Words& now);
 
-    /// The new names of an edit that only exchanges names, none of a function, where each came into several watched
-    /// units so, and what it took the place of gave way to it alone, and stands nowhere in the file any more; else
-    /// nothing.
-    std::vector<std::string> new_names(Side side, const std::string& file, const Words& before, const Words& now);
+    /// What others may have in common with an edit, to be told once. Of one that only exchanges names, none of them a
+    /// function's, where what went stands nowhere in the file any more and gave way to one name alone: the new names
+    /// that came into several watched units so. Of one that only adds text with names that are new to the side in each
+    /// place: these names.
+    std::vector<std::string> causes(Side side, const std::string& file, const Words& before, const Words& now);
+
+    /// True if both edits only give the same things the same new names, with their scopes, and what one side alone has
+    /// of them stands nowhere in that side any more.
+    ///
+    ///     case COARSE_AG : coarse ( A ) ;                      case amg :: AGGREGATION : coarse ( A ) ;
+    ///     case COARSE_AG : case ONE : coarse ( A ) ;           case amg :: AGGREGATION : case amg :: ONE : coarse ( A
+    ///     ) ;
+    bool are_same_on_both(const PairTexts& texts) const;
 
 private:
     using Name = std::pair<std::string, std::string>;  ///< before, now
@@ -38,17 +48,21 @@ private:
         size_t alone = 0, in_all = 0;  ///< of the watched units that only exchange names
     };
 
+    std::vector<std::string> new_names(Side side, const std::string& file, const Words& before, const Words& now);
+    std::vector<std::string> brought_names(Side side, const Words& before, const Words& now);
     bool is_swept_type(Side side, const Name& name);
     bool is_swept_on_both(const Name& name);
     bool is_one_to_one(Side side, const Name& name);
     bool is_type(Side side, const std::string& name) const;
     bool is_new(Side side, const std::string& name) const;
+    bool is_brought(Side side, std::string_view name);
     Times times(Side side, const Name& name);
     const std::map<Name, Times>& exchanges(Side side);
 
     const Case& facts_;
     BySide<std::optional<std::map<Name, Times>>> exchanges_;  ///< filled when first asked
     BySide<std::map<Name, bool>> types_;
+    BySide<std::map<std::string, bool, std::less<>>> brought_;
     std::map<Name, bool> of_both_;
 };
 

@@ -714,6 +714,57 @@ TEST(QuietGate, NamesThatGaveWayInSeveralUnitsAreToldOnce) {
     EXPECT_EQ(after(replaced(file("cluster_size", "lim"), "* 2.0f", "* 3.0f")).size(), 3u);
 }
 
+TEST(QuietGate, WhatBringsTheSameNewNamesIsToldOnce) {
+    const auto file = [](const std::string& take, const std::string& hand, const std::string& use,
+                         const std::string& scale) {
+        return "struct Block {\n  int size;\n" + std::string(use.empty() ? "" : "  bool fused;\n") +
+               "};\nvoid make(Block* b, int n" + take + ") { b->size = n * 2;" +
+               (use.empty() ? "" : " b->fused = fuse;") + " }\nvoid all(Block* b, int n" + take + ") { make(b, n + 1" +
+               hand + "); }\nfloat eval(Block* b, float* x) { float s = x[0] * " + scale + ";" + use +
+               " return s + b->size; }\n";
+    };
+    const std::string before = file("", "", "", "0.5f"), use = " if (b->fused) { s = fuse_rows(x, b->size); } ";
+    const auto after = [&](const std::string& now, const std::string& more = "") {
+        return loud({{"s/k.cu", before + more}, {"t/k.cpp", before}}, {{"s/k.cu", now + more}},
+                    {"s/k.cu:Block=t/k.cpp:Block", "s/k.cu:make=t/k.cpp:make", "s/k.cu:all=t/k.cpp:all",
+                     "s/k.cu:eval=t/k.cpp:eval"});
+    };
+    const std::string now = file(", bool fuse", ", fuse", use, "0.5f");
+    EXPECT_EQ(after(now), (Loud{"layout-differs s/k.cu:Block", "source-changed s/k.cu:make"}));
+    // More than the new names is told for itself.
+    const Loud and_eval = {"layout-differs s/k.cu:Block", "source-changed s/k.cu:make", "source-changed s/k.cu:eval"};
+    EXPECT_EQ(after(replaced(now, "* 0.5f", "* 0.25f")), and_eval);
+    EXPECT_EQ(after(replaced(now, "n + 1, fuse", "n + 1 - 1, fuse")).size(), 3u);
+    EXPECT_EQ(after(now, "bool own() { return fused && fuse && fuse_rows; }\n").size(), 4u) << "names that it had";
+}
+
+TEST(QuietGate, TheSameNewNamesOnBothSides) {
+    const std::string source =
+                          "void f(int m) { switch (m) { case FEW: few(m, LIM); break; case MANY: many(m); break; } }\n",
+                      port =
+                          "void f(int m) { switch (m) { case FEW: few(m); break; case MANY: many(m); break; case "
+                          "ONE: one(m, lo, hi); break; } }\n";
+    const auto named = [](std::string text, const std::vector<std::pair<std::string, std::string>>& names) {
+        for (const auto& [from, to] : names) text = replaced(text, from, to);
+        return text;
+    };
+    const auto after = [&](const std::string& here, const std::string& there, const std::string& more = "") {
+        return loud({{"s/k.cu", source}, {"t/k.cpp", port + more}}, {{"s/k.cu", here}, {"t/k.cpp", there + more}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    const std::string here = named(source, {{"FEW", "lib::Few"}, {"MANY", "lib::Many"}}),
+                      there = named(port, {{"FEW", "lib::Few"}, {"MANY", "lib::Many"}, {"ONE", "lib::One"}});
+    const Loud told = {"port-differs s/k.cu:f"};
+    EXPECT_EQ(after(here, there), Loud{});
+    EXPECT_EQ(after(here, there, "int own(int m) { return m == ONE; }\n"), told) << "one of the port's is left";
+    EXPECT_EQ(after(here, named(there, {{"lib::Many", "lib::Most"}})), told) << "another name on each side";
+    EXPECT_EQ(after(here, named(there, {{"lib::One", "lib::Few"}})), told) << "two became one";
+    EXPECT_EQ(after(here, named(there, {{"lo, hi", "hi, lo"}})), told);
+    EXPECT_EQ(after(here, named(there, {{"lo, hi", "lo, lo"}})), told) << "another of the port's own";
+    EXPECT_EQ(after(here, named(there, {{"lib::Many", "MANY"}})), told);
+    EXPECT_EQ(after(named(here, {{"lib::Many: many(m)", "lib::Many: many(m + 1)"}}), there), told);
+}
+
 TEST(QuietGate, ParametersThatNothingReads) {
     const std::string text =
                           "float f(const Hit* hit, float a, float b) { float s = a * 2.0f + b; if (s > 1.0f) s = a; "
