@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
-#include <set>
 #include <string_view>
 #include <utility>
 
 #include "porttool/compare/brackets.h"
+#include "porttool/compare/declared_parts.h"
+#include "porttool/compare/plain_comparison.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/text/is_one_of.h"
@@ -21,55 +21,6 @@ namespace {
 using ChoiceText = std::vector<std::string>;
 
 void append(ChoiceText& to, const ChoiceText& more) { to.insert(to.end(), more.begin(), more.end()); }
-
-/// What a text declares as real numbers, and as vectors with how many parts.
-struct DeclaredParts {
-    std::set<std::string_view> reals;
-    std::map<std::string_view, size_t> vectors;  ///< 0 for what is declared as something else, too
-
-    explicit DeclaredParts(const Words& text) {
-        std::set<std::string_view> others;
-        for (size_t i = 0; i + 1 < text.size(); ++i) {
-            if (!is_word_token(text[i])) continue;
-            const size_t name = text[i + 1] == "&" ? i + 2 : i + 1;
-            if (name >= text.size() || !is_word_token(text[name])) continue;
-            if (const size_t parts = parts_of(text[i]); parts > 0) {
-                const auto [known, is_new] = vectors.emplace(text[name], parts);
-                if (!is_new && known->second != parts) known->second = 0;
-            } else if (is_one_of(text[i], {"float", "double", "half", "real_t"})) {
-                reals.insert(text[name]);
-            } else if (is_type_word(text[i])) {
-                others.insert(text[name]);
-            }
-        }
-        for (const std::string_view name : others) {
-            reals.erase(name);
-            if (const auto known = vectors.find(name); known != vectors.end()) known->second = 0;
-        }
-    }
-
-private:
-    /// 3 of `vec3`, `float3`.
-    static size_t parts_of(std::string_view type) {
-        if (type.size() < 4 || type.back() < '2' || type.back() > '4') return 0;
-        const std::string_view kind = type.substr(0, type.size() - 1);
-        return is_one_of(kind, {"vec", "dvec", "float", "double", "half"}) ? static_cast<size_t>(type.back() - '0') : 0;
-    }
-};
-
-/// A condition that compares two values: `left < right`, `left <= right` or `left == right`, or the opposite of it.
-struct Comparison {
-    ChoiceText left, right;
-    std::string sign;
-    bool is_opposite = false;
-
-    ChoiceText written() const {
-        ChoiceText out = left;
-        out.push_back(sign);
-        append(out, right);
-        return out;
-    }
-};
 
 class ChoiceWriter {
 public:
@@ -138,7 +89,7 @@ private:
     size_t choose_statements(size_t first, ChoiceText& out) {
         const size_t open = first + 1, block = closing_[open] + 1, behind = closing_[block] + 1;
         const bool has_other = word(behind) == "else" && word(behind + 1) == "{";
-        const std::optional<Comparison> asked = comparison(open + 1, closing_[open], has_other);
+        const std::optional<PlainComparison> asked = comparison(open + 1, closing_[open], has_other);
         ChoiceText then = statements(block + 1, closing_[block]);
         ChoiceText otherwise = has_other ? statements(behind + 2, closing_[behind + 1]) : ChoiceText();
         const size_t next = has_other ? closing_[behind + 1] + 1 : behind;
@@ -170,8 +121,8 @@ private:
         return std::pair(ChoiceText(block.begin(), sign), ChoiceText(sign + 1, block.end() - 1));
     }
 
-    bool write_as_value(const Comparison& asked, const ChoiceText& then, const ChoiceText& otherwise, bool has_other,
-                        ChoiceText& out) {
+    bool write_as_value(const PlainComparison& asked, const ChoiceText& then, const ChoiceText& otherwise,
+                        bool has_other, ChoiceText& out) {
         const auto yes = assigned(then), no = assigned(otherwise);
         if (!yes || (has_other && (!no || no->first != yes->first))) return false;
         const ChoiceText value = choice(asked, yes->second, has_other ? no->second : yes->first);
@@ -214,7 +165,7 @@ private:
         ChoiceText out;
         const size_t mark = find_at_level(first, end, {"?"});
         const size_t colon = mark < end ? find_at_level(mark + 1, end, {":", "?"}) : end;
-        const std::optional<Comparison> asked =
+        const std::optional<PlainComparison> asked =
             colon < end && text_[colon] == ":" ? comparison(first, mark, true) : std::nullopt;
         if (asked) {
             ChoiceText yes = expression(mark + 1, colon), no = expression(colon + 1, end);
@@ -366,7 +317,7 @@ private:
     }
 
     /// A value chosen by a comparison that is no opposite.
-    static ChoiceText choice(const Comparison& asked, const ChoiceText& yes, const ChoiceText& no) {
+    static ChoiceText choice(const PlainComparison& asked, const ChoiceText& yes, const ChoiceText& no) {
         if (asked.sign != "==") {
             if (asked.left == no && asked.right == yes) return limited("max", no, yes);
             if (asked.left == yes && asked.right == no) return limited("min", yes, no);
@@ -382,7 +333,7 @@ private:
     }
 
     /// The condition in [first, end), if it compares two values. With `has_both` what it decides on can be exchanged.
-    std::optional<Comparison> comparison(size_t first, size_t end, bool has_both) {
+    std::optional<PlainComparison> comparison(size_t first, size_t end, bool has_both) {
         bool is_opposite = false;
         for (;;) {
             const bool is_not =
@@ -401,31 +352,9 @@ private:
             if (deeper(text_[i]) > 0) i = closing_[i];
         }
         if (sign == end || sign == first || sign + 1 == end) return std::nullopt;
-        Comparison out{expression(first, sign), expression(sign + 1, end), std::string(text_[sign]), false};
-        write_plain(out, is_opposite, has_both);
+        PlainComparison out{expression(first, sign), expression(sign + 1, end), std::string(text_[sign]), false};
+        out.write_plain(is_opposite, has_both);
         return out;
-    }
-
-    static void write_plain(Comparison& out, bool is_opposite, bool has_both) {
-        const auto is = [&](std::string_view sign) { return out.sign == sign; };
-        if (is(">") || is(">=")) {
-            std::swap(out.left, out.right);
-            out.sign = is(">") ? "<" : "<=";
-        }
-        const auto negate = [&] {
-            if (is("==") || is("!=")) {
-                out.sign = is("==") ? "!=" : "==";
-            } else {
-                std::swap(out.left, out.right);
-                out.sign = is("<") ? "<=" : "<";
-            }
-        };
-        if (is_opposite) negate();
-        if (has_both && (is("<=") || is("!="))) {
-            negate();
-            out.is_opposite = true;
-        }
-        if ((is("==") || is("!=")) && out.right < out.left) std::swap(out.left, out.right);
     }
 
     /// Behind a name with its members and elements, a call, a number or brackets; `first` where none begins there.
