@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <set>
 
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
@@ -66,6 +67,11 @@ private:
             return leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
                              shown(texts_.before.words, before(was).first, before(was).end) +
                              "`; the port gives its value back in more places",
+                         now(is).first, target(there).first);
+        if (there != kNothing && is_in_other_loop(was, there))
+            return leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
+                             shown(texts_.before.words, before(was).first, before(was).end) +
+                             "`; the port does that in another of its loops",
                          now(is).first, target(there).first);
         const bool asks_alike = there != kNothing && before(was).opens &&
                                 comparisons(texts_.before, before(was)) == comparisons(texts_.target, target(there));
@@ -152,6 +158,21 @@ private:
             if (word != texts_.target.words[other.first + k] && has_there(word)) return true;
         }
         return !says(other.first, other.end, carry_old(here.first, here.end).words, true);
+    }
+
+    /// True where one of the two stands in a loop that both have, and the other outside of it: they are not done as
+    /// often.
+    bool is_in_other_loop(size_t was, size_t there) const {
+        const auto loops = [](const std::string& head) { return head == "for" || head == "while"; };
+        std::set<size_t> around;  // loops of the port that stand for those around the source's statement
+        for (size_t c = before(was).inside; c != Clause::kNone; c = before(c).inside)
+            if (loops(texts_.before.words[before(c).first]) && counterpart(c) != kNothing)
+                around.insert(counterpart(c));
+        for (size_t c = target(there).inside; c != Clause::kNone; c = target(c).inside) {
+            if (!loops(texts_.target.words[target(c).first]) || around.erase(c) > 0) continue;
+            if (stands_for_something(c)) return true;
+        }
+        return !around.empty();
     }
 
     /// True for a loop of which nothing within has its counterpart within the port's: that may be another loop.

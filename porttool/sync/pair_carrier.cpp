@@ -389,7 +389,7 @@ bool PairCarrier::write(const PairEdit& edit, const Texts& texts, const KnownNam
 /// `file`: the port's, as it stands.
 bool PairCarrier::withdraw_undeclared(const PairEdit& edit, const Texts& texts, const ScannedFile& file,
                                       Transplant& found) {
-    constexpr int kMostRounds = 4;
+    constexpr int kMostRounds = 6;
     for (int round = 0; round < kMostRounds && !found.empty(); ++round) {
         const std::optional<std::string> made =
             edit_file(texts.draft.bytes, file.lexed.text, edits_of(texts, file, found));

@@ -52,6 +52,24 @@ TEST_F(SyncGates, AStatementOfALoopThatIsOneThereIsChanged) {
     expect_ported(replaced(kChannels, "0.0f, 1.0f", "0.0f, 2.0f"), replaced(port, "0.0f, 1.0f", "0.0f, 2.0f"));
 }
 
+std::string sorted(const std::string& last, bool at_once) {
+    const std::string swap = "      int t = v[a];\n      v[a] = v[b];\n      v[b] = " + last + ";\n";
+    return "void sort(int* v, int n) {\n  for (int a = 0; a < n; a++) {\n    int b = a;\n"
+           "    for (int k = a + 1; k < n; k++) {\n      if (v[k] < v[b]) b = k;\n" +
+           (at_once ? swap + "    }\n" : "    }\n" + swap) + "  }\n}\n";
+}
+
+TEST_F(SyncGates, AStatementOfAnInnerLoopIsNotDoneAsOften) {
+    start("k.cu", sorted("t", false), "k.c", sorted("t", true));
+    const nlohmann::json got = proposal_of(sorted("t + 1", false));
+    EXPECT_EQ(got["state"], "refused") << got.dump(1);
+}
+
+TEST_F(SyncGates, AStatementOfTheSameLoopIs) {
+    start("k.cu", sorted("t", false), "k.c", sorted("t", false));
+    expect_ported(sorted("t + 1", false), sorted("t + 1", false));
+}
+
 const std::string kSearch =
     "int find(const int* keys, int n, int key) {\n  int low = 0, high = n;\n"
     "  while (low < high) low += step(keys, key);\n  return low;\n}\n";
