@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "porttool/language/words.h"
+#include "porttool/normal/diff.h"
 #include "porttool/normal/directive_end.h"
 #include "porttool/text/is_one_of.h"
 
@@ -33,10 +34,11 @@ std::string_view macro_asked_for(const Words& words, size_t at, size_t end) {
     return is_word_token(words[i]) && roles_of(words[i]) == 0 ? words[i] : std::string_view();
 }
 
-/// A text as a compiler reads it to which the macros of some branches mean nothing.
+/// A text as a compiler reads it to which the macros of some branches mean nothing; or for which all are set.
 class BranchReader {
 public:
-    BranchReader(const Words& words, const std::set<std::string_view>& known) : words_(words), known_(known) {}
+    BranchReader(const Words& words, const std::set<std::string_view>& known, bool are_set = false)
+        : words_(words), known_(known), are_set_(are_set) {}
 
     /// The words that are left, or nothing where a branch cannot be told.
     std::optional<std::vector<std::string_view>> run() {
@@ -85,7 +87,7 @@ private:
         const size_t end = opening_end(at);
         const std::string_view macro = end > at ? macro_asked_for(words_, at, end) : std::string_view();
         const bool is_own = !macro.empty() && !known_.contains(macro);
-        open_.push_back({is_own, !is_own || words_[at + 1] == "ifndef"});
+        open_.push_back({is_own, !is_own || (words_[at + 1] == "ifndef") != are_set_});
         if (!is_own) return at;
         macros_.insert(macro);
         failed_ = failed_ || is_of_compilers(macro);
@@ -101,15 +103,31 @@ private:
 
     const Words& words_;
     const std::set<std::string_view>& known_;
+    bool are_set_;
     std::vector<Branch> open_;
     std::vector<std::string_view> out_;
     std::set<std::string_view> macros_;
     bool failed_ = false;
 };
 
+/// Signs that reckon, and numbers with a fraction: whole ones tell places. Not within brackets, where both do, if those
+/// are left out.
+std::multiset<std::string_view> reckoning_of(const std::vector<std::string_view>& text, bool with_subscripts) {
+    std::multiset<std::string_view> out;
+    int subscripts = 0;
+    for (const std::string_view word : text) {
+        subscripts += word == "[" ? 1 : word == "]" ? -1 : 0;
+        const bool reckons = is_one_of(word, {"+", "-", "*", "/", "%", "+=", "-=", "*=", "/="}) ||
+                             (is_number_token(word) && !word.starts_with("0x") &&
+                              (word.find('.') != std::string_view::npos || word.back() == 'f'));
+        if (reckons && (with_subscripts || subscripts == 0)) out.insert(word);
+    }
+    return out;
+}
+
 }  // namespace
 
-std::set<std::string_view> macros_of_added_branches(const Words& before, const Words& now) {
+AddedBranches added_branches(const Words& before, const Words& now) {
     if (std::count(now.begin(), now.end(), "#") <= std::count(before.begin(), before.end(), "#")) return {};
     // A macro that the text asked for before is one of the edit's where it asks for it more, or less, often now.
     std::map<std::string_view, int> times;
@@ -118,12 +136,17 @@ std::set<std::string_view> macros_of_added_branches(const Words& before, const W
     std::set<std::string_view> known;
     for (const std::string_view word : before)
         if (times[word] == 0) known.insert(word);
-    BranchReader reader(now, known), old(before, known);
-    const auto left = reader.run(), was = old.run();
-    if (!left || !was || *left != *was) return {};
-    std::set<std::string_view> macros = reader.macros();
-    macros.insert(old.macros().begin(), old.macros().end());
-    return macros;
+    BranchReader reader(now, known), old(before, known), with(now, known, true), old_with(before, known, true);
+    const auto left = reader.run(), was = old.run(), set = with.run(), was_set = old_with.run();
+    if (!left || !was || !set || !was_set || *left != *was) return {};
+    const std::vector<DiffStep> steps = diff(*was_set, *set);
+    if (std::none_of(steps.begin(), steps.end(), [](const DiffStep& step) { return step.kind == DiffStep::Remove; }))
+        return {};
+    AddedBranches out{reader.macros(), false};
+    out.macros.insert(old.macros().begin(), old.macros().end());
+    const auto reckons = reckoning_of(*set, false), reckoned = reckoning_of(*was_set, true);
+    out.reckons_otherwise = !std::includes(reckoned.begin(), reckoned.end(), reckons.begin(), reckons.end());
+    return out;
 }
 
 std::string without_macros(const LexedText& file, const std::set<std::string_view>& macros) {

@@ -11,12 +11,21 @@
 
 namespace porttool {
 
-/// The macros for which an edit added other texts by branches of the preprocessor, where it did nothing else: as a
-/// compiler reads the text that has never heard of the macros, it says what it said. Each branch has an `#else`. Empty
-/// where more was edited, or one of them may be known to a compiler by itself (`__CUDA_ARCH__`, `GL_ES`, `NDEBUG`).
+/// Other texts that an edit added by branches of the preprocessor.
+struct AddedBranches {
+    std::set<std::string_view> macros;  ///< that are asked for; none: this is no such edit
+    bool reckons_otherwise = false;     ///< by signs or fractions that the text in the `#else` does not have
+};
+
+/// What an edit added for some macros by branches, where it did nothing else: as a compiler reads the text that has
+/// never heard of the macros, it says what it said. Each branch has an `#else`, and the texts say something in the
+/// place of others. Nothing where more was edited, where a branch only says more than its `#else` (a feature), or where
+/// one of the macros may be known to a compiler by itself (`__CUDA_ARCH__`, `GL_ES`, `NDEBUG`).
 ///
-///     sum += at ( i ) ;        # if IMAGES sum += fetch ( i ) ; # else sum += at ( i ) ; # endif
-std::set<std::string_view> macros_of_added_branches(const Words& before, const Words& now);
+///     before             sum += at ( i ) ;
+///     now                # if IMAGES sum += fetch ( i ) ;   # else sum += at ( i ) ; # endif
+///     or now             # if FOG sum -= fog ( i ) * 0.5 ;  # else sum += at ( i ) ; # endif      reckons otherwise
+AddedBranches added_branches(const Words& before, const Words& now);
 
 /// A file as a compiler reads it that has never heard of some macros: what asks for one of them is `#if 0`, or `#if 1`
 /// where it asks for its absence.

@@ -26,6 +26,10 @@ constexpr std::array<std::string_view, 6> kMacros = {"timing", "timer", "debug",
 /// Words of names: those that may go on (`println`, `assertion`), and those that may not (`logic`).
 constexpr std::array<std::string_view, 4> kSayings = {"print", "assert", "warn", "debug"};
 constexpr std::array<std::string_view, 5> kWholeSayings = {"log", "logger", "logging", "cout", "cerr"};
+/// What holds a group's threads together, in whatever build.
+constexpr std::array<std::string_view, 6> kBarriers = {"__syncthreads",      "barrier",
+                                                       "work_group_barrier", "threadgroup_barrier",
+                                                       "group_barrier",      "GroupMemoryBarrierWithGroupSync"};
 /// What leaves a function, or a program, and what nobody sees through.
 constexpr std::array<std::string_view, 14> kLeaves = {"return", "goto",  "throw",      "discard", "co_return",
                                                       "exit",   "_Exit", "abort",      "longjmp", "terminate",
@@ -68,17 +72,19 @@ std::vector<std::string> words_of_name(std::string_view name) {
 /// How sure a name says that something is told to people.
 enum class Speaks : uint8_t { No, Perhaps, Surely };
 
-/// `print`, `assert` and names of them tell; `log` and `warn` may be a part of something else (`log_softmax`). A short
-/// name with `log` in it is a logarithm.
+/// `print`, and names that end in `assert`, tell; `log` and `warn` may be a part of something else (`log_softmax`), and
+/// what is asserted may be made so (`assert_finite_or_zero`). A short name with `log` in it is a logarithm.
 Speaks speaks_by_name(std::string_view name) {
     constexpr size_t kLongestLogarithm = 5;
     Speaks out = Speaks::No;
-    for (std::string_view word : words_of_name(name)) {
+    const std::vector<std::string> words = words_of_name(name);
+    for (std::string_view word : words) {
         if (name.size() > kLongestLogarithm || word.find("log") == std::string_view::npos)
             if (std::find(kWholeSayings.begin(), kWholeSayings.end(), word) != kWholeSayings.end())
                 out = std::max(out, Speaks::Perhaps);
+        const bool is_last = word == words.back();
         word.remove_prefix(std::min(word.find_first_not_of("vf"), word.size()));  // vfprintf
-        if (word.starts_with("print") || word.starts_with("assert")) return Speaks::Surely;
+        if (word.starts_with("print") || (is_last && word.starts_with("assert"))) return Speaks::Surely;
         if (std::any_of(kSayings.begin(), kSayings.end(),
                         [&](std::string_view saying) { return word.starts_with(saying); }))
             out = std::max(out, Speaks::Perhaps);
@@ -98,8 +104,9 @@ bool does_by_name(std::string_view name) { return has_word_of(kDeeds, name); }
 /// True for a name that says that something is reckoned: `log_softmax`, `apply_density_profile`.
 bool reckons_by_name(std::string_view name) { return has_word_of(kReckonings, name); }
 
-bool is_one_of_leaves(std::string_view word) {
-    return std::find(kLeaves.begin(), kLeaves.end(), word) != kLeaves.end();
+template <size_t N>
+bool is_in(const std::array<std::string_view, N>& list, std::string_view word) {
+    return std::find(list.begin(), list.end(), word) != list.end();
 }
 
 /// Tokens that stand side by side.
@@ -218,14 +225,18 @@ private:
     /// True if a call whose name leaves it open tells something: it has a text, or is handed no whole array to write.
     bool may_tell(size_t name, size_t end) const {
         if (does_by_name(word(name)) || reckons_by_name(word(name))) return false;
-        bool hands_array = false;
-        for (size_t i = name + 1; i < end; ++i) {
-            if (word(i).starts_with("\"")) return true;
+        return std::any_of(at(name), at(end), [](std::string_view one) { return one.starts_with("\""); }) ||
+               !hands_array(name + 1, end);
+    }
+
+    /// True if a whole array is among what a call takes between these places.
+    bool hands_array(size_t first, size_t end) const {
+        for (size_t i = first + 1; i < end; ++i) {
             const std::string_view before = word(i - 1), after = word(i + 1);
             const bool is_whole = (before == "(" || before == ",") && (after == ")" || after == ",");
-            hands_array = hands_array || (is_whole && arrays_.contains(word(i)));
+            if (is_whole && arrays_.contains(word(i))) return true;
         }
-        return !hands_array;
+        return false;
     }
 
     /// True for a statement that is one call which tells something, or hands something to a stream.
@@ -233,13 +244,20 @@ private:
         size_t name = first;
         while (word(name + 1) == "::" && name + 2 < end) name += 2;
         const Speaks speaks = is_word_token(word(name)) ? speaks_by_name(word(name)) : Speaks::No;
-        if (speaks == Speaks::No) return false;
+        if (speaks == Speaks::No && !streams_a_text(name, end)) return false;
         for (size_t i = name + 1; i + 1 < end; ++i)
             if (word(i + 1) == "(" && is_word_token(word(i)) && does_by_name(word(i))) return false;
         size_t next = name + 1;
         if (word(next) == "(") next = behind_parentheses(next, end);
         if (is_shift(next)) return true;
-        return next > name + 1 && word(next) == ";" && (speaks == Speaks::Surely || may_tell(name, end));
+        const bool is_call = next > name + 1 && word(next) == ";";
+        return is_call && (speaks == Speaks::Surely || (speaks == Speaks::Perhaps && may_tell(name, end)));
+    }
+
+    /// `LOG(INFO) << "rows: " << n`, which is no logarithm.
+    bool streams_a_text(size_t name, size_t end) const {
+        return is_word_token(word(name)) && has_word_of(kWholeSayings, word(name)) &&
+               std::any_of(at(name), at(end), [](std::string_view one) { return one.starts_with("\""); });
     }
 
     bool is_shift(size_t i) const { return word(i) == "<" && word(i + 1) == "<"; }
@@ -303,9 +321,19 @@ private:
         return end;
     }
 
+    /// `f ( rows , n ) ;` where `rows` is an array: nobody takes what it gives, so that it may write there.
+    bool works_on_an_array(size_t i) const {
+        const bool is_alone = i > 0 && (word(i - 1) == ";" || word(i - 1) == "{" || word(i - 1) == "}" ||
+                                        (i > 1 && word(i - 2) == "ifdef"));
+        if (!is_alone || word(i + 1) != "(" || !is_word_token(word(i)) || says(i, end_of_statement(i))) return false;
+        const size_t end = behind_parentheses(i + 1, tokens_.size());
+        return word(end) == ";" && !names_one_of(kClocks, word(i)) && hands_array(i + 1, end);
+    }
+
     bool is_harmless(const Stretch& one) const {
         for (size_t i = one.first; i < one.end; ++i) {
-            if (is_one_of_leaves(tokens_[i])) return false;
+            if (is_in(kLeaves, tokens_[i]) || is_in(kBarriers, tokens_[i])) return false;
+            if (one.kind == Kind::Guarded && works_on_an_array(i)) return false;
             if (one.kind == Kind::Timing && takes_part(i)) return false;
             if (!writes(i, one.end) || (one.kind == Kind::Guarded && is_counter(one, i))) continue;
             if (one.kind == Kind::Saying || !writes_own(i)) return false;

@@ -91,10 +91,23 @@ private:
         write_in_brackets(given[0]);
         out_.emplace_back("*");
         write_in_brackets(given[1]);
-        out_.emplace_back("+");
-        write_in_brackets(given[2]);
+        const bool is_taken = word(given[2].first) == "-" && is_one_value({given[2].first + 1, given[2].second});
+        out_.emplace_back(is_taken ? "-" : "+");
+        write_in_brackets({given[2].first + (is_taken ? 1 : 0), given[2].second});
         out_.emplace_back(")");
         return end;
+    }
+
+    /// A name or number, with members of it or what stands in brackets behind it.
+    bool is_one_value(Argument argument) const {
+        int depth = 0;
+        for (size_t i = argument.first; i < argument.second; ++i) {
+            depth += is_one_of(text_[i], {"(", "["}) ? 1 : is_one_of(text_[i], {")", "]"}) ? -1 : 0;
+            const bool is_plain = is_word_token(text_[i]) || is_number_token(text_[i]) ||
+                                  is_one_of(text_[i], {".", "->", "::", ")", "]"});
+            if (depth == 0 && !is_plain) return false;
+        }
+        return argument.first < argument.second;
     }
 
     bool is_number(Argument argument, std::string_view value) const {

@@ -185,14 +185,37 @@ bool call_other_mathematics(const Text& here, size_t i, const Text& there, size_
     return a.is_pure && b.is_pure && a.name != b.name && !may_stand_for(a.name, b.name);
 }
 
+bool is_member(const Text& text, size_t i) {
+    return i > 1 && is_one_of(text[i - 1], {".", "->"}) && (i + 1 == text.size() || text[i + 1] != "(");
+}
+
+/// The members of a name that a text has.
+std::set<std::string_view> members_of(const Text& text, std::string_view name) {
+    std::set<std::string_view> out;
+    for (size_t i = 2; i < text.size(); ++i)
+        if (text[i - 2] == name && is_member(text, i)) out.insert(text[i]);
+    return out;
+}
+
+/// True if an edit brought a member where the other text has another, unlike one of the same name's, of which both
+/// texts have a member in common.
+bool brings_other_member(const SideEdit& source, const SideEdit& target, const Distance& today) {
+    if (today.other_names.empty()) return false;
+    const std::vector<bool> here = places_gained(source), there = places_gained(target);
+    return std::any_of(today.other_names.begin(), today.other_names.end(), [&](const auto& each) {
+        const auto [i, k] = each;
+        if ((!here[i] && !there[k]) || !is_member(source.now, i) || !is_member(target.now, k)) return false;
+        if (source.now[i - 2] != target.now[k - 2] || are_like(source.now[i], target.now[k])) return false;
+        const auto a = members_of(source.now, source.now[i - 2]), b = members_of(target.now, target.now[k - 2]);
+        return std::any_of(a.begin(), a.end(), [&](std::string_view member) { return b.contains(member); });
+    });
+}
+
 /// True if an edit brought another function of mathematics than the other text calls there, or a member where the other
 /// text has one that both had before. Such a name is wrong although the other text does not have it at all.
 bool brings_wrong_name(const SideEdit& source, const SideEdit& target, const Distance& today, const Dialect& dialect) {
     if (today.other_names.empty()) return false;
     const std::vector<bool> here = places_gained(source), there = places_gained(target);
-    const auto is_member = [](const Text& text, size_t i) {
-        return i > 0 && is_one_of(text[i - 1], {".", "->"}) && (i + 1 == text.size() || text[i + 1] != "(");
-    };
     const auto agreed = [&](const std::string& name) {
         return times_in(source.had, name) > 0 && times_in(target.had, name) > 0;
     };
@@ -252,6 +275,12 @@ bool edits_in_own_words(const PairTexts& texts, const Dialect& dialect) {
     return signs_follow(source, target, Side::Source, way) && signs_follow(target, source, Side::Target, way);
 }
 
+bool bring_other_members(const PairTexts& texts, const Dialect& dialect) {
+    const SideEdit source(texts.source_before, texts.source_now, dialect),
+        target(texts.target_before, texts.target_now, dialect);
+    return brings_other_member(source, target, Distance(source.now, target.now, dialect));
+}
+
 bool are_twins(const Words& a, const Words& b, const Dialect& dialect) {
     if (a.size() + b.size() > kMostBeside) return true;
     const SideEdit here(a, a, dialect), there(b, b, dialect);
@@ -279,6 +308,7 @@ Nearing draws_nearer(LaidEdit& laid) {
     const bool keeps_what_was_alike =
         std::includes(today.covered.begin(), today.covered.end(), then.covered.begin(), then.covered.end());
     if ((!keeps_what_was_alike && astray > 0) || !signs_arrive(edit, other, {then, today})) return Nearing::No;
+    if (brings_other_member(edit, other, today)) return Nearing::WithOtherMembers;
     const bool in_order =
         !rewrites_in_another_order(edit, today) && grouping_of_edit(laid.texts(), dialect) == Grouping::Alike;
     return in_order ? Nearing::Yes : Nearing::InAnotherOrder;

@@ -21,14 +21,20 @@ namespace porttool {
 ///     or now      y[i] = max(x[i], lim) * 0.5f;       store(y + i, std::max(load(x + i), lim));          not: 0.5
 bool edits_in_own_words(const PairTexts& texts, const Dialect& dialect);
 
+/// True if edits of both sides came with other members of what each side calls the same: `vol.shortest` for
+/// `vol.least`, where both texts say `vol.step` as well. One side may have another name for it, or the port a wrong
+/// one.
+bool bring_other_members(const PairTexts& texts, const Dialect& dialect);
+
 /// True if less than one word in ten of two texts has no like in the other: such texts are held to every word.
 bool are_twins(const Words& a, const Words& b, const Dialect& dialect);
 
 /// Whether an edit of one side alone says what the other side has.
 enum class Nearing : uint8_t {
     No,
-    InAnotherOrder,  ///< its words, some of them where the other side has others, or in other brackets or types: a
-                     ///< wrong port, or another manner
+    InAnotherOrder,    ///< its words, some of them where the other side has others, or in other brackets or types: a
+                       ///< wrong port, or another manner
+    WithOtherMembers,  ///< but for a member of what both call the same, see bring_other_members()
     Yes,
 };
 

@@ -10,6 +10,7 @@
 
 #include "porttool/language/words.h"
 #include "porttool/normal/diff.h"
+#include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/text/is_one_of.h"
 #include "porttool/value_graph/pure_calls.h"
@@ -271,9 +272,10 @@ bool only_gives_first_values(const Words& before, const Words& now) {
     const auto is_first_value = [&] {
         if (came.empty()) return true;
         const bool is_nothing = came.size() == 2 && came[0] == "{" && came[1] == "}";
-        const bool is_number = came.size() == 2 && came[0] == "=" && is_number_token(came[1]);
+        const bool is_zero =
+            came.size() == 2 && came[0] == "=" && is_number_token(came[1]) && number_value(came[1]) == "0";
         came.clear();
-        return (is_nothing || is_number) && behind > 0 && then.is_bare_declarator(behind - 1) &&
+        return (is_nothing || is_zero) && behind > 0 && then.is_bare_declarator(behind - 1) &&
                is_one_of(before[behind], {";", ","});
     };
     for (const DiffStep& step : diff(before, now)) {

@@ -21,7 +21,7 @@ bool only_concerns_unread_locals(const Words& before, const Words& now, const Di
 bool only_concerns_unread_parameters(const Words& before, const Words& now);
 
 /// True if all that an edit did was to give numbers of the function's own a first value where they are declared, which
-/// had none there. What was read before was written before that, or was nothing at all.
+/// had none there: nothing, or zero. What was read before was written before that, or was nothing at all.
 ///
 ///     double t; if (p) { t = now(); }        double t{}; if (p) { t = now(); }
 bool only_gives_first_values(const Words& before, const Words& now);

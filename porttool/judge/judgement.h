@@ -62,6 +62,9 @@ struct Finding {
     std::shared_ptr<const FindingEvidence> evidence;  ///< mostly none, and larger than the rest of a finding
 };
 
+/// The cause of an edit that only adds other texts for a macro begins so.
+inline constexpr std::string_view kBuiltWith = "built with ";
+
 /// The cause of an edit of which it is in doubt that the other side owes it.
 inline constexpr std::string_view kInDoubt = "in doubt";
 inline bool is_in_doubt(const Finding& finding) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "porttool/compare/added_branches.h"
 #include "porttool/compare/alike_spots.h"
 #include "porttool/compare/asides.h"
 #include "porttool/compare/common_ground.h"
@@ -429,33 +428,37 @@ void PairJudge::report_one(JudgedPair& pair, const PairComparison& found, const 
     const UnitState& unit = *pair.unit[side];
     const PlainStatements plain(unit.kind, language_of_path(unit.file), dialect_);
     const Words then = before[side].words(), now = unit.text.words();
-    if (const std::string macro = macro_of_other_build(unit, side, then); !macro.empty())
-        return weaken(pair, finding, Level::Note,
-                      fmt::format("it only adds what is built with {}, which the other side never is", macro));
+    if (const AddedBranches added = added_for_another_build(unit, side, then); !added.macros.empty()) {
+        const std::string macro(*added.macros.begin());
+        weaken(pair, finding, added.reckons_otherwise ? Level::Warning : Level::Note,
+               fmt::format("it only adds what is built with {}, which the other side never is", macro));
+        finding.causes = {std::string(kBuiltWith) + macro};
+        return;
+    }
     if (!declaration_changes(then, now, plain).empty()) return;
     if (change == Change::Semantic && facts_.same_code && prelude_of(then) == prelude_of(now))
         soften(pair, finding, facts_.same_code(*pair.unit[side], side, before[side]));
     weigh_edit(pair, side, before[side], finding);
 }
 
-/// A macro for which an edit added other texts, where it did nothing else, neither in the unit nor in what the file
-/// declares for it, and only who builds that side asks for it; else "".
-std::string PairJudge::macro_of_other_build(const UnitState& unit, Side side, const Words& before) const {
+/// What an edit added for some macros, where it did nothing else, neither in the unit nor in what the file declares for
+/// it, and only who builds that side asks for them; else nothing.
+AddedBranches PairJudge::added_for_another_build(const UnitState& unit, Side side, const Words& before) const {
     const Words now = unit.text.words();
-    const auto macros = macros_of_added_branches(without_prelude(before), without_prelude(now));
-    if (macros.empty() || !std::all_of(macros.begin(), macros.end(), [&](std::string_view macro) {
+    AddedBranches added = added_branches(without_prelude(before), without_prelude(now));
+    if (added.macros.empty() || !std::all_of(added.macros.begin(), added.macros.end(), [&](std::string_view macro) {
             return own_names_.is_asked_for_elsewhere(std::string(macro), side);
         }))
         return {};
-    if (prelude_of(before) == prelude_of(now)) return std::string(*macros.begin());
+    if (prelude_of(before) == prelude_of(now)) return added;
     const FilesOfSide& files = (*facts_.files)[side];
     for (size_t i = 0; i < files.size(); ++i) {
         if (files.path(i) != unit.file) continue;
-        const ScannedFile file = scan_text(unit.file, without_macros(files.scanned(i).lexed, macros));
+        const ScannedFile file = scan_text(unit.file, without_macros(files.scanned(i).lexed, added.macros));
         for (const Unit& built : file.units)
             if (unit_id(file, built) == unit.id) {
                 const UnitState state = unit_state(file, built);
-                return prelude_of(state.text.words()) == prelude_of(before) ? std::string(*macros.begin()) : "";
+                return prelude_of(state.text.words()) == prelude_of(before) ? added : AddedBranches();
             }
     }
     return {};
@@ -565,13 +568,16 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
         const bool is_slip = only_takes(texts.before, texts.now) && (words_edited(texts.before, texts.now) < kNoSlip ||
                                                                      !are_twins(texts.now, texts.other, dialect_));
         return weaken(pair, finding, in_order && !is_slip ? Level::Note : Level::Warning,
-                      there_is + (in_order ? " has most of it" : " has its words, some in other places"));
+                      there_is + (in_order                               ? " has most of it"
+                                  : nearing == Nearing::WithOtherMembers ? " has most of it, with another member"
+                                                                         : " has its words, some in other places"));
     }
     weigh_ground(pair, side, laid, finding);
 }
 
-/// What an edit has to do with the other side's text, where nothing else tells. What little speaks for may still be
-/// owed by a port that does all in its own way: it is in doubt, and never a note.
+/// What an edit has to do with the other side's text, where nothing else tells. What that has nothing like may be a
+/// feature that it is owed as well as a matter of this side's own: it is in doubt, and a note only where a runtime is
+/// kept house with.
 void PairJudge::weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, Finding& finding) const {
     const std::string there = side == Side::Source ? "the port" : "the source";
     const OffGround off = off_common_ground(laid);
@@ -579,15 +585,14 @@ void PairJudge::weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, Findin
         if (!is_likely_owed(laid)) doubt(pair, finding, "little of what it touches has its like in " + there);
         return;
     }
-    const bool is_own_matter = !is_contract(facts_.map.reference, side);
-    pair.is_of_own_part =
-        off == OffGround::Surely ||
-        (off == OffGround::Perhaps && (is_own_matter || only_tends_runtime(laid.texts().before, laid.texts().now)));
-    const std::string why = there + " has nothing like what it changes";
-    if (pair.is_of_own_part)
-        weaken(pair, finding, Level::Note, why);
+    const bool is_upkeep = off >= OffGround::Perhaps && only_tends_runtime(laid.texts().before, laid.texts().now);
+    pair.is_of_own_part = is_upkeep || off == OffGround::Surely ||
+                          (off == OffGround::Perhaps && !is_contract(facts_.map.reference, side));
+    if (is_upkeep)
+        weaken(pair, finding, Level::Note,
+               "it only keeps house with its runtime, where " + there + " has nothing like it");
     else
-        doubt(pair, finding, why);
+        doubt(pair, finding, there + " has nothing like what it changes");
 }
 
 void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before) {
@@ -674,7 +679,8 @@ void PairJudge::weigh_edits(const JudgedPair& pair, const BySide<NormalText>& be
         weigh(has_doubtful_switch(texts, pair) ? Level::Warning : Level::Note,
               "each side says what the other does, one of them within branches for the compiler");
     else if (edits_in_own_words(texts, dialect_))
-        weigh(grouping_of_edits(texts, dialect_) == Grouping::Alike && !edits_contradict(learned, dialect_)
+        weigh(grouping_of_edits(texts, dialect_) == Grouping::Alike && !edits_contradict(learned, dialect_) &&
+                      !bring_other_members(texts, dialect_)
                   ? Level::Note
                   : Level::Warning,
               "each side says for the most part what the other does");

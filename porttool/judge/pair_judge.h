@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "porttool/compare/added_branches.h"
 #include "porttool/compare/compare_pair.h"
 #include "porttool/compare/laid_edit.h"
 #include "porttool/compare/respelled_calls.h"
@@ -57,7 +58,7 @@ private:
     void report_one(JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before);
     void report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before);
     void weigh_edits(const JudgedPair& pair, const BySide<NormalText>& before, Finding& finding) const;
-    std::string macro_of_other_build(const UnitState& unit, Side side, const Words& before) const;
+    AddedBranches added_for_another_build(const UnitState& unit, Side side, const Words& before) const;
     bool has_doubtful_switch(const PairTexts& texts, const JudgedPair& pair) const;
     bool call_the_same(const std::vector<RespelledCall>& calls, Side side, const Words& there) const;
     void weigh_edit(JudgedPair& pair, Side side, const NormalText& before, Finding& finding) const;

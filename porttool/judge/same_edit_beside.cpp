@@ -8,6 +8,7 @@
 
 #include "porttool/compare/statement_edit.h"
 #include "porttool/normal/prelude.h"
+#include "porttool/scan/scan.h"
 
 namespace porttool {
 namespace {
@@ -89,6 +90,13 @@ bool was_edited(const Case& facts, const UnitState& unit, Side side) {
     });
 }
 
+/// True if a unit's text has that name: it calls what bears it.
+bool says(const UnitState& unit, std::string_view name) {
+    bool out = false;
+    unit.text.each_name([&](std::string_view one) { out = out || one == name; });
+    return out;
+}
+
 }  // namespace
 
 std::string same_edit_beside(const Case& facts, WatchedUnits& watched, const JudgedPair& pair, Side side,
@@ -124,12 +132,17 @@ std::string same_edit_beside(const Case& facts, WatchedUnits& watched, const Jud
         const KeysOfEdit all(statement_edit({}, without_prelude(beside.text.words()), translator));
         return has_all(all.gained, edit.gained) && has_none(all.gained, edit.lost);
     };
-    const std::string in_file = pair.unit[there]->file + ":";
+    const UnitState& counterpart = *pair.unit[there];
+    const auto work_together = [&](const UnitState& beside) {
+        return says(beside, bare_leaf_of(counterpart.name)) || says(counterpart, bare_leaf_of(beside.name));
+    };
+    const std::string in_file = counterpart.file + ":";
     const auto& units = facts.units(there);
     for (auto at = units.lower_bound(in_file); at != units.end() && at->first.starts_with(in_file); ++at) {
         const UnitState& beside = at->second;
         const bool is_code = beside.kind == UnitKind::Function || beside.kind == UnitKind::Kernel;
-        if (is_code && has_the_edit(beside) && !watched.contains(there, at->first)) return at->first;
+        if (is_code && work_together(beside) && has_the_edit(beside) && !watched.contains(there, at->first))
+            return at->first;
     }
     return {};
 }

@@ -67,10 +67,11 @@ std::string name_of_first(const std::string& text) {
     return text.substr(space + 1, end - space - 1);
 }
 
-std::string level_of_kernel(const std::string& kernel, const std::string& port, const Edit& edit) {
+std::string level_of_kernel(const std::string& kernel, const std::string& port, const Edit& edit,
+                            bool of_port = false) {
     MemoryDisk disk;
     disk.files = {{"/r/s/k.cu", kernel}, {"/r/t/k.cpp", port}};
-    return level_in(disk, {"s/k.cu:" + name_of_first(kernel), "t/k.cpp:" + name_of_first(port)}, false, edit);
+    return level_in(disk, {"s/k.cu:" + name_of_first(kernel), "t/k.cpp:" + name_of_first(port)}, of_port, edit);
 }
 
 const std::vector<Edit> kSlips = {
@@ -100,9 +101,7 @@ TEST(OwedEdit, LongEditsOfWhatThePortDoesInItsOwnWay) {
         {"more", "v = v + lim * step;", "v = v + lim * step; book.open(at, rows); book.enter(v, lim); book.close(at);"},
     };
     for (const Edit& edit : edits) {
-        // Of names that the port has none of nothing is owed, whatever else is known.
-        const bool is_foreign = edit.what != "more";
-        EXPECT_EQ(level_of(kStranger, edit), is_foreign ? "note" : "warning") << edit.what;
+        EXPECT_EQ(level_of(kStranger, edit), "warning") << edit.what;
         EXPECT_EQ(level_of(kTwin, edit), "error") << edit.what;
     }
 }
@@ -193,8 +192,27 @@ TEST(OwedEdit, FeaturesAndFormulasOfAKernelAreNoNotes) {
         {"an early stop", "transmittance *= 1.0f - alpha;",
          "transmittance *= 1.0f - alpha;\n"
          "if (transmittance < prm.stopAt) { acc /= fmaxf(1.0f - transmittance, 1e-4f); break; }"},
+        {"a curve on what is stored", "image[gid] = acc + transmittance * prm.background;",
+         "{ float c = acc + transmittance * prm.background; "
+         "image[gid] = prm.gamma > 0.0f ? powf(fmaxf(c, 0.0f), 1.0f / prm.gamma) : c; }"},
     };
     for (const Edit& edit : edits) EXPECT_EQ(level_of_kernel(kSplat, kSplatter, edit), "warning") << edit.what;
+    const Edit shoulder = {"a shoulder", "float s = m / l;",
+                           "m = fminf(m, 1.0f - 0.02f * expf(-8.0f * fmaxf(m - 0.9f, 0.0f)));\n  float s = m / l;"};
+    EXPECT_EQ(level_of_kernel(kTone, kToneMapper, shoulder), "warning");
+}
+
+TEST(OwedEdit, NorWhatAPortLosesOrDoesTwice) {
+    const std::string adds = "light += coverage * remaining * g.colour;",
+                      dims = "if (coverage < 1.0 / 255.0) continue;";
+    const std::vector<Edit> edits = {
+        {"a sum gone", adds, ""},
+        {"a sum twice", adds, adds + "\n      " + adds},
+        {"a curve", "out.Fill(t, light + remaining * settings_.background);",
+         "out.Fill(t, std::pow(std::max(light + remaining * settings_.background, 0.0), 1.0 / settings_.gamma));"},
+        {"a test gone", dims, ""},
+    };
+    for (const Edit& edit : edits) EXPECT_EQ(level_of_kernel(kSplat, kSplatter, edit, true), "warning") << edit.what;
 }
 
 TEST(OwedEdit, WhatIsGoneDrawsNoPortNearerThatSaysItInItsOwnWords) {
@@ -242,7 +260,7 @@ TEST(OwedEdit, LongEditsOfThePortAlone) {
     const Edit own = {
         "of the port", "Plan plan = planner_for(request.shape());",
         "Plan plan = cached_plan(ctx->plans(), request.shape(), request.flags()); plan.check(ctx->rules());"};
-    EXPECT_EQ(level_of(kStranger, own, true), "note");
+    EXPECT_EQ(level_of(kStranger, own, true), "warning");
     const Edit of_twin = {"of a twin", "v = v + lim * step;", "v = fold(v, lim) * step; v = clamp_to(v, lim, rows);"};
     EXPECT_EQ(level_of(kTwin, of_twin, true), "warning");
 }

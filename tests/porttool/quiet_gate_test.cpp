@@ -108,7 +108,7 @@ TEST(QuietGate, WhatTouchesNothingInCommonIsAWarningAndUpkeepOfARuntimeANote) {
     EXPECT_EQ(level_after("cudaSetDevice(kDevice)", "cudaSetDeviceFlags(kDevice)"), "error");
 }
 
-TEST(QuietGate, ALongEditOfWhatTheOtherHasNothingLikeIsANote) {
+TEST(QuietGate, ALongEditOfWhatTheOtherHasNothingLikeIsInDoubtAndTellsItsNewUnits) {
     const std::string open = "device.open();";
     const auto after_source = [&](const std::string& to) {
         return loud({{"s/k.cu", kPort}, {"t/k.cpp", kSource}}, {{"s/k.cu", replaced(kPort, open, to)}},
@@ -117,12 +117,12 @@ TEST(QuietGate, ALongEditOfWhatTheOtherHasNothingLikeIsANote) {
     const Loud told = {"source-changed s/k.cu:f"};
     const std::string shares = "if (pool.is_shared(device)) { pool.advise(device, Usage::Often); ",
                       weighs = "meter.weigh(device, Level::All); meter.flush(sink, Level::None); } ";
-    EXPECT_EQ(after_source(shares + weighs + open), Loud{});
-    // A new function that only this calls; not one that a watched function called before.
+    EXPECT_EQ(after_source(shares + weighs + open), told);
+    // A new function that only this calls is told with it.
     const std::string trace = "int trace_all(Meter& meter, int depth) { meter.depth = depth; return meter.count(); }\n";
     const std::string traced = replaced(kPort, open, shares + "trace_all(meter, 3); " + weighs + open);
     EXPECT_EQ(loud({{"s/k.cu", kPort}, {"t/k.cpp", kSource}}, {{"s/k.cu", trace + traced}}, {"s/k.cu:f=t/k.cpp:f"}),
-              Loud{});
+              told);
     // As long beside what both have, in names that both have, with a pragma, or of what both have; and a short one.
     EXPECT_EQ(loud({{"s/k.cu", kPort}, {"t/k.cpp", kSource}},
                    {{"s/k.cu", replaced(kPort, "{ y[at]", "{ " + shares + weighs + " y[at]")}}, {"s/k.cu:f=t/k.cpp:f"}),
@@ -130,6 +130,34 @@ TEST(QuietGate, ALongEditOfWhatTheOtherHasNothingLikeIsANote) {
     EXPECT_EQ(after_source("if (n > 0 && lim > 0) { y[0] = lim; x = y + n; y[1] = x[0] * lim; n = 0; } " + open), told);
     EXPECT_EQ(after_source("#pragma omp atomic update hint(often) seq_cst\n" + shares + weighs + open), told);
     EXPECT_EQ(after_source(shares + "} " + open), told);
+}
+
+TEST(QuietGate, EditsThatThePortsHaveNothingLikeAreToldOnce) {
+    const auto named = [](const std::string& text, const char* name) {
+        return replaced(text, "void f(", "void " + std::string(name) + "(");
+    };
+    const std::string open = "device.open();";
+    const std::string advised = replaced(kPort, open,
+                                         open +
+                                             " if (pool.is_shared(device)) { pool.advise(device, Usage::Often, "
+                                             "Kind::Wide); pool.pin(device, Span::All); }"),
+                      weighed = replaced(named(kPort, "g"), open,
+                                         open +
+                                             " meter.weigh(gauge, Level::Fine); meter.flush(sink, Order::Last); "
+                                             "journal.note(gauge, sink, Tone::Low);"),
+                      doubled = replaced(advised, "x[at] * 2.0f", "x[at] * 4.0f");
+    const auto after = [&](const Texts& now, const std::string& file) {
+        return loud({{"s/k.cu", kPort + named(kPort, "g")},
+                     {"s/l.cu", named(kPort, "g")},
+                     {"t/k.cpp", kSource + named(kSource, "g")}},
+                    now, {"s/k.cu:f=t/k.cpp:f", "s/" + file + ":g=t/k.cpp:g"});
+    };
+    EXPECT_EQ(after({{"s/k.cu", advised + weighed}}, "k.cu"), Loud{"source-changed s/k.cu:f"});
+    EXPECT_EQ(after({{"s/k.cu", advised + named(kPort, "g")}, {"s/l.cu", weighed}}, "l.cu"),
+              Loud{"source-changed s/k.cu:f"});
+    EXPECT_EQ(after({{"s/k.cu", doubled + weighed}}, "k.cu"),
+              (Loud{"source-changed s/k.cu:f", "source-changed s/k.cu:g"}))
+        << "an edit of what both have is told for itself";
 }
 
 TEST(QuietGate, InTextsThatAreTooLongToLayTheWordsTell) {
@@ -143,7 +171,7 @@ TEST(QuietGate, InTextsThatAreTooLongToLayTheWordsTell) {
                     {"s/k.cu:f=t/k.cpp:f"});
     };
     const Loud told = {"source-changed s/k.cu:f"};
-    EXPECT_EQ(after("  create(board, shade_rows, shade_rows_length, shade_rows_data, wide);\n"), Loud{});
+    EXPECT_EQ(after("  create(board, shade_rows, shade_rows_length, shade_rows_data, wide);\n"), told);
     EXPECT_EQ(after("  create(board, shade_rows, shade_rows_length);\n"), told) << "a few names";
     EXPECT_EQ(after("  create(board, shade_rows, shade_rows_length, shade_rows_data, y, n);\n"), told);
     EXPECT_EQ(after("  make(rows[17], n);\n"), told);
@@ -164,12 +192,12 @@ TEST(QuietGate, APortThatOthersUseIsNoOrphan) {
         << "nothing that has a source uses them: both are told, once";
 }
 
-TEST(QuietGate, WhatTouchesNothingInCommonIsThePortsOwnMatter) {
+TEST(QuietGate, WhatTouchesNothingInCommonIsToldOfThePortToo) {
     const Loud told = {"target-changed s/k.cu:f"};
     const std::string open = "device.open();";
     EXPECT_EQ(after_port(open, "device.open();\n  if (pool.is_shared(device)) { pool.advise(device, Usage::Often); }"),
-              Loud{});
-    // The source's is told: a port may need the like of it.
+              told);
+    EXPECT_EQ(after_port(open, "device.open();\n  clReleaseEvent(begun); clReleaseEvent(ended);"), Loud{});
     EXPECT_EQ(loud({{"s/k.cu", kPort}, {"t/k.cpp", kSource}},
                    {{"s/k.cu", replaced(kPort, open,
                                         "device.open();\n  if (pool.is_shared(device)) { "
@@ -217,6 +245,14 @@ TEST(QuietGate, TheSameEditOfALauncherIsThePortsToo) {
                     "int most(int taps) { const int n = size() - taps + 1; return n; }\n"),
               told)
         << "it was not edited";
+    // A function that neither calls the kernel nor is called by it, though it was edited so.
+    const std::string stranger =
+        "void Other::prepare(Pool& pool) {\n  const int n = size() - taps;\n  tell(pool, n);\n}\n";
+    EXPECT_EQ(loud({{"s/k.cu", kernel + stranger}, {"t/k.cpp", port}},
+                   {{"s/k.cu", kernel + replaced(stranger, "size() - taps", "size() - taps + 1")},
+                    {"t/k.cpp", replaced(port, "size() - taps", "size() - taps + 1")}},
+                   {"s/k.cu:fir=t/k.cpp:Fir::run"}),
+              told);
     // What the pair says on both sides is the kernel's own, whatever was edited beside it.
     const std::string term = "0.5f * x[i + 1]",
                       more = "void more(float* y, const float* x, int i) {\n  " +
@@ -251,9 +287,9 @@ TEST(QuietGate, WhereTextsAreApartOnlyWholeClausesAreCommonGround) {
     };
     const Loud told = {"target-changed s/k.cl:f"};
     EXPECT_EQ(after("Guard guard(job.Lock());", "if (job.IsWide()) { job.Split(tile); }\n  Guard guard(job.Lock());"),
-              Loud{});
+              told);
     EXPECT_EQ(after("job.Finish();", "job.Finish();\n#ifdef TRACE_JOBS\n  job.Trace(Level::All, Sink::Own);\n#endif"),
-              Loud{});
+              told);
     EXPECT_EQ(after("job.Finish();", "job.Finish();\n  clReleaseEvent(begun); clReleaseEvent(ended);"), Loud{});
     // A word or two, the same word twice; a number for a number; what the compiler is told; beside what both say, and
     // in it.
@@ -594,7 +630,7 @@ TEST(QuietGate, ANameThatBothSidesChangedThroughout) {
 
 TEST(QuietGate, ABranchForABuildThatTheOtherSideNeverHas) {
     const std::string source = "void f(float* y, int n) { float sum = at(y, n); sum += y[0] * 0.5f; y[n] = sum; }\n",
-                      old = "sum += y[0] * 0.5f;", fresh = "sum += fetch(y, 0) * 0.25f;";
+                      old = "sum += y[0] * 0.5f;", fresh = "sum += fetch(y, 0) * 0.5f;";
     const auto after = [&](const std::string& text, const std::string& port = {}, const std::string& head = {}) {
         const std::string there = source + port;
         return loud({{"s/k.cu", head + source}, {"t/k.cpp", there}}, {{"s/k.cu", head + replaced(source, old, text)}},
@@ -608,6 +644,25 @@ TEST(QuietGate, ABranchForABuildThatTheOtherSideNeverHas) {
     EXPECT_EQ(after(branch("if USE_IMAGES", fresh, old)), Loud{});
     EXPECT_EQ(after(branch("if defined(USE_IMAGES)", fresh, old)), Loud{});
     EXPECT_EQ(after(branch("ifndef USE_IMAGES", old, fresh)), Loud{});
+    // What only says more than the text in its place, and what reckons otherwise, is a feature.
+    EXPECT_EQ(after(branch("ifdef USE_FOG", old + " sum = fade(sum, y);", old)), told);
+    EXPECT_EQ(after("\n#ifdef USE_FOG\nsum = fade(sum, y);\n#else\n#endif\n" + old), told);
+    EXPECT_EQ(after(branch("ifdef USE_FOG", "sum += fetch(y, 0) * 0.25f;", old)), told);
+    EXPECT_EQ(after(branch("ifdef USE_FOG", "sum += fetch(y, 2.0f) * 0.5f;", old)), told);
+    EXPECT_EQ(after(branch("ifdef USE_FOG", "sum -= fetch(y, 0) * 0.5f;", old)), told);
+    EXPECT_EQ(after(branch("ifdef USE_FOG", "sum += fetch(y, 0) * 0.5f / n;", old)), told);
+    EXPECT_EQ(after(branch("ifdef USE_IMAGES", "sum += fetch(y[2], 0 * 2) * 0.5f;", old)), told) << "another number";
+    EXPECT_EQ(after(branch("ifdef USE_IMAGES", "sum += fetch(y[2]) * 0.5f;", old)), Loud{}) << "another place";
+    const auto in_two = [&](const std::string& macro) {
+        const std::string other = replaced(source, "void f", "void g"),
+                          fog = branch("if USE_FOG", "sum += fetch(y, 0) * 0.25f;", old),
+                          more = branch("if " + macro, "sum -= fade(fetch(y, 0)) / n;", old);
+        return loud({{"s/k.cu", source}, {"s/l.cu", other}, {"t/k.cpp", source + other}},
+                    {{"s/k.cu", replaced(source, old, fog)}, {"s/l.cu", replaced(other, old, more)}},
+                    {"s/k.cu:f=t/k.cpp:f", "s/l.cu:g=t/k.cpp:g"});
+    };
+    EXPECT_EQ(in_two("USE_FOG"), told) << "told once";
+    EXPECT_EQ(in_two("USE_MIST").size(), 2u);
     const auto once_more = [&](const std::string& text) {
         const std::string before =
             replaced(source, "y[n] = sum;", branch("if USE_IMAGES", "keep(sum);", "y[n] = sum;"));
@@ -1507,6 +1562,9 @@ TEST(QuietGate, NamesThatNothingReads) {
     EXPECT_EQ(level("  spare = drop;\n", "  x.spare = drop;\n"), "error") << "a field";
     // First values.
     EXPECT_EQ(level("float gain, drop;", "float gain = 0, drop{};", "t/k.cpp"), "note");
+    EXPECT_EQ(level("float gain, drop;", "float gain = 0.0f, drop = 0x0;", "t/k.cpp"), "note");
+    EXPECT_EQ(level("float gain, drop;", "float gain = 0, drop = 7;", "t/k.cpp"), "warning")
+        << "a value that says something";
     EXPECT_EQ(level("float gain, drop, spare;", "float gain = 0, drop{}, spare;"), "error")
         << "both may have lacked it";
     EXPECT_EQ(level("  drop = gain * 2.0f;\n", "", "t/k.cpp"), "warning") << "the other way round";
@@ -1569,6 +1627,9 @@ TEST(QuietGate, AnotherFunctionOfMathematicsIsNoEditInOwnWords) {
     EXPECT_EQ(after_both("fmaxf(v, p.knee)", "std::min(v, p.knee)"), told);
     EXPECT_EQ(after_both("powf(v, p.knee)", "std::fmod(v, p.knee)"), told);
     EXPECT_EQ(after_both("fabsf(v * p.knee)", "std::sqrt(v * p.knee)"), told);
+    // Another member of what both call the same, new to both; and another spelling of one.
+    EXPECT_EQ(after_both("floorf(v * p.knee)", "std::floor(v * p.crest)"), told);
+    EXPECT_EQ(after_both("floorf(v * p.kneeLevel)", "std::floor(v * p.knee_level)"), Loud{});
 }
 
 TEST(QuietGate, AMemberThatBothHadIsNoWordOfOneSidesOwn) {
@@ -1623,6 +1684,7 @@ TEST(QuietGate, ASideThatCatchesUpInAnotherFunctionOrJumpDoesNot) {
     EXPECT_EQ(after_catching_up(replaced(stop, "fmaxf", "fminf")), "error");
     EXPECT_EQ(after_catching_up(replaced(stop, "break", "continue")), "error");
     EXPECT_EQ(after_catching_up(replaced(stop, "p.stop", "p.step")), "error");
+    EXPECT_EQ(after_catching_up(replaced(stop, "p.stop", "p.least")), "warning") << "a member that is new here";
 }
 
 TEST(QuietGate, ALabelThatJoinsAnotherArmThanThere) {
@@ -1661,6 +1723,14 @@ TEST(QuietGate, WhatSoundsLikeAnAsideAndReckons) {
     EXPECT_EQ(with("debug_clampScores(s, n, -80.0f, 80.0f);"), told);
     EXPECT_EQ(with("warn_if_zero_then_nudge(s, n, 1e-6f, 2);"), told);
     EXPECT_EQ(with("apply_density_profile(); apply_density_profile();"), told);
+    EXPECT_EQ(with("assert_finite_or_zero(s, n, k * 4, best);"), told);
+    EXPECT_EQ(with("log(best) << 3 << n << k;"), told);
+    EXPECT_EQ(with("\n#ifdef USE_TIMER_FAST_PATH\n  rescale(s, n, best, 0.5f);\n#endif\n"), told);
+    EXPECT_EQ(with("\n#ifdef VERBOSE\n  __syncthreads();\n#endif\n"), told);
+    EXPECT_EQ(with("\n#ifdef VERBOSE\n  print_row(s, n, best, 0.5f); show(n, best);\n#endif\n"), Loud{});
+    EXPECT_EQ(with("assert_all_of(n, k * 4, best);"), Loud{});
+    EXPECT_EQ(with("K_ASSERT(s, n > 3, best);"), Loud{});
+    EXPECT_EQ(with("LOG(INFO) << \"best of \" << n << best;"), Loud{});
     EXPECT_EQ(with("log_best(best, n, k, 4);"), Loud{});
     EXPECT_EQ(with("debug_print_row(\"row\", s, n, best);"), Loud{});
     EXPECT_EQ(with("warn_once(\"%d of %f\", n, best);"), Loud{});
