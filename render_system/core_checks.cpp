@@ -3,9 +3,12 @@
 #include "render_system/core_checks.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <span>
 #include <string>
+#include <utility>
 
 #include "render_system/scene_limits.h"
 
@@ -16,6 +19,10 @@ namespace {
 Status unequal(const char* what, uint64_t got, uint64_t wanted) {
     return Status::invalid(std::string("mesh: ") + what + " has " + std::to_string(got) + " elements, but there are " +
                            std::to_string(wanted) + " positions");
+}
+
+std::array<std::pair<const char*, std::span<const glm::vec2>>, 4> uv_sets_of(const CoreMesh& mesh) {
+    return {{{"uv0", mesh.uv0}, {"uv1", mesh.uv1}, {"uv2", mesh.uv2}, {"uv3", mesh.uv3}}};
 }
 
 bool finite(const glm::vec4& v) {
@@ -43,8 +50,12 @@ Status validate_values(const CoreMesh& mesh) {
                         : !all_finite(mesh.colors)   ? "colors"
                                                      : nullptr;
     if (wrong) return Status::invalid(std::string("mesh: ") + wrong + " holds an element that is not finite");
-    if (within_texture(mesh.uv0) && within_texture(mesh.uv1)) return Status::success();
-    return Status::invalid("mesh: uv0 or uv1 holds a texture coordinate past 1e8, or one that is no number");
+    for (const auto& [name, set] : uv_sets_of(mesh)) {
+        if (within_texture(set)) continue;
+        return Status::invalid(std::string("mesh: ") + name +
+                               " holds a texture coordinate past 1e8, or one that is no number");
+    }
+    return Status::success();
 }
 
 Status validate_light(const CoreLight& light) {
@@ -140,8 +151,9 @@ Status validate_mesh(const CoreMesh& mesh) {
     if (!mesh.tangents.empty() && mesh.tangents.size() != vertices) {
         return unequal("tangents", mesh.tangents.size(), vertices);
     }
-    if (!mesh.uv0.empty() && mesh.uv0.size() != vertices) return unequal("uv0", mesh.uv0.size(), vertices);
-    if (!mesh.uv1.empty() && mesh.uv1.size() != vertices) return unequal("uv1", mesh.uv1.size(), vertices);
+    for (const auto& [name, set] : uv_sets_of(mesh)) {
+        if (!set.empty() && set.size() != vertices) return unequal(name, set.size(), vertices);
+    }
     if (!mesh.colors.empty() && mesh.colors.size() != vertices) return unequal("colors", mesh.colors.size(), vertices);
     for (size_t i = 0; i < mesh.triangles.size(); ++i) {
         const glm::uvec4& t = mesh.triangles[i];

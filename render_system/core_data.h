@@ -63,7 +63,7 @@ struct CoreTexture {
     std::span<const uint32_t> texels;  ///< texel_words() words each
 };
 
-/// A texture as a material uses it: uv' = rows * (u, v, 1), with uv from set 0 or 1.
+/// A texture as a material uses it: uv' = rows * (u, v, 1), with uv from one of the sets 0 to 3.
 struct CoreTextureSlot {
     uint32_t texture = NONE;
     uint32_t uv_set = 0;
@@ -149,6 +149,8 @@ struct CoreMesh {
     std::span<const glm::vec4> tangents;  ///< w is the bitangent's sign
     std::span<const glm::vec2> uv0;
     std::span<const glm::vec2> uv1;
+    std::span<const glm::vec2> uv2;
+    std::span<const glm::vec2> uv3;
     std::span<const glm::vec4> colors;  ///< linear RGBA, 0 to 1
     std::span<const glm::uvec4> triangles;
     /// What is to come after the first Render: an instance of it is set again, or its vertices are. A core need not be

@@ -50,7 +50,7 @@ glm::vec3 emission_at(const HostScene& scene, const RayProbe::Hit& hit) {
     const CoreMaterial& material = scene.materials()[triangle.w].core;
     const CoreTextureSlot& slot = material.emission_texture;
     if (material.emission_weight <= 0.0f || slot.texture == NONE) return material.emission;
-    const std::vector<glm::vec2>& set = slot.uv_set == 0 ? mesh.uv0 : mesh.uv1;
+    const std::vector<glm::vec2>& set = mesh.uv(slot.uv_set);
     glm::vec3 uv(0.0f, 0.0f, 1.0f);
     const auto u = static_cast<float>(hit.u), v = static_cast<float>(hit.v);
     if (!set.empty()) {

@@ -58,7 +58,13 @@ void Box::extend(const glm::vec3& point) {
     upper = glm::max(upper, point);
 }
 
-CoreMesh HostMesh::view() const { return {positions, normals, tangents, uv0, uv1, colors, triangles}; }
+CoreMesh HostMesh::view() const { return {positions, normals, tangents, uv0, uv1, uv2, uv3, colors, triangles}; }
+
+const std::vector<glm::vec2>& HostMesh::uv(uint32_t set) const {
+    constexpr std::vector<glm::vec2> HostMesh::*kSets[] = {&HostMesh::uv0, &HostMesh::uv1, &HostMesh::uv2,
+                                                           &HostMesh::uv3};
+    return this->*kSets[set];
+}
 
 CoreTexture HostTexture::view() const { return {width, height, levels, format, wrap_s, wrap_t, nearest, texels}; }
 

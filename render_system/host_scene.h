@@ -37,10 +37,14 @@ struct HostMesh {
     std::vector<glm::vec4> tangents;
     std::vector<glm::vec2> uv0;
     std::vector<glm::vec2> uv1;
+    std::vector<glm::vec2> uv2;
+    std::vector<glm::vec2> uv3;
     std::vector<glm::vec4> colors;
     std::vector<glm::uvec4> triangles;
 
     CoreMesh view() const;  ///< spans into this mesh
+    /// By the number that CoreTextureSlot::uv_set has.
+    const std::vector<glm::vec2>& uv(uint32_t set) const;
 };
 
 /// A texture that owns its texels; see CoreTexture.

@@ -31,7 +31,7 @@ double triangle_area(const CoreLight& light) {
 }
 
 glm::vec2 transformed_uv(const CoreTextureSlot& slot, const HostMesh& mesh, uint32_t vertex) {
-    const std::vector<glm::vec2>& set = slot.uv_set == 0 ? mesh.uv0 : mesh.uv1;
+    const std::vector<glm::vec2>& set = mesh.uv(slot.uv_set);
     const glm::vec2 uv = set.empty() ? glm::vec2(0.0f) : set[vertex];
     const glm::vec3 &u = slot.row_u, &v = slot.row_v;
     return {u.x * uv.x + u.y * uv.y + u.z, v.x * uv.x + v.y * uv.y + v.z};

@@ -285,7 +285,7 @@ private:
     void pack_meshes() {
         std::vector<MeshPlan>& plans = tables_.plan.meshes;
         plans.resize(meshes_.size());
-        size_t vertex_rows = 1;
+        size_t vertex_rows = kSpareVertexRows;
         for (const CoreMeshCopy& mesh : meshes_) vertex_rows += mesh.vertex_rows.size();
         tables_.vertices.reserve(vertex_rows);
         for (size_t m = 0; m < meshes_.size(); ++m) {
@@ -296,7 +296,7 @@ private:
             tables_.vertices.insert(tables_.vertices.end(), mesh.vertex_rows.begin(), mesh.vertex_rows.end());
             tables_.features |= mesh.has_colors() ? FEATURE_VERTEX_COLORS : 0u;
         }
-        tables_.vertices.push_back(glm::vec4(0.0f));
+        tables_.vertices.insert(tables_.vertices.end(), kSpareVertexRows, glm::vec4(0.0f));
         tables_.instances.assign(instances_.size() * INSTANCE_ROWS, glm::vec4(0.0f));
         for (size_t i = 0; i < instances_.size(); ++i) {
             const CoreInstance& instance = instances_[i];

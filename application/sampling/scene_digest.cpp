@@ -64,6 +64,8 @@ void add_mesh(Digest& digest, const HostMesh& mesh) {
     add_array(digest, mesh.tangents);
     add_array(digest, mesh.uv0);
     add_array(digest, mesh.uv1);
+    add_array(digest, mesh.uv2);
+    add_array(digest, mesh.uv3);
     add_array(digest, mesh.colors);
     add_array(digest, mesh.triangles);
 }

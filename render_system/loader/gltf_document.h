@@ -81,8 +81,8 @@ struct GltfDocument {
     std::vector<GltfBuffer> buffers;
     std::vector<GltfImage> images;
     std::map<int, std::vector<std::byte>> decoded_views;  ///< of views that are packed in the file
-    std::vector<std::array<int, 2>> uv_sets;              ///< by material: the file's numbers of the two sets it reads
-    std::optional<Sky> sky;                               ///< of EXT_lights_image_based
+    std::vector<std::array<int, 4>> uv_sets;  ///< by material: the file's numbers of the sets it reads; -1: none
+    std::optional<Sky> sky;                   ///< of EXT_lights_image_based
     std::vector<GltfSkin> skins;
     std::vector<std::string> animations;  ///< their names
     std::vector<GltfChannel> channels;    ///< of all animations, in the file's order

@@ -283,20 +283,21 @@ private:
         return slot;
     }
 
-    // A mesh has two sets of coordinates; which of the file's they are is each material's choice.
-    std::array<int, 2> resolve_uv_sets() {
+    // A mesh has four sets of coordinates; which of the file's they are is each material's choice.
+    std::array<int, 4> resolve_uv_sets() {
         std::set<uint32_t> used;
         for (const auto member : kTextureSlots) {
             if ((material_.*member).texture != NONE) used.insert((material_.*member).uv_set);
         }
-        std::array<int, 2> sets{0, 1};
+        std::array<int, 4> sets{0, 1, -1, -1};
         if (used.empty() || *used.rbegin() <= 1) return sets;
-        sets[0] = static_cast<int>(*used.begin());
-        sets[1] = used.size() > 1 ? static_cast<int>(*std::next(used.begin())) : sets[0];
-        if (used.size() > 2) document_.omissions.add("a third uv set in one material", place_);
+        sets.fill(-1);
+        std::copy_n(used.begin(), std::min(used.size(), sets.size()), sets.begin());
+        if (used.size() > sets.size()) document_.omissions.add("a fifth uv set in one material", place_);
         for (const auto member : kTextureSlots) {
             CoreTextureSlot& slot = material_.*member;
-            slot.uv_set = static_cast<int>(slot.uv_set) == sets[1] && sets[1] != sets[0] ? 1 : 0;
+            const auto found = std::find(sets.begin(), sets.end(), static_cast<int>(slot.uv_set));
+            slot.uv_set = found == sets.end() ? 0 : static_cast<uint32_t>(found - sets.begin());
         }
         return sets;
     }
@@ -335,7 +336,7 @@ private:
 void add_materials(GltfDocument& document, const std::vector<bool>& used, HostScene& scene) {
     MaterialReader reader(document, scene);
     const size_t count = document.model.materials.size();
-    document.uv_sets.assign(count + 1, {0, 1});
+    document.uv_sets.assign(count + 1, {0, 1, -1, -1});
     for (size_t i = 0; i < count; ++i) {
         const tinygltf::Material& source = document.model.materials[i];
         const bool unlit = source.extensions.contains("KHR_materials_unlit");

@@ -19,6 +19,8 @@ namespace render_system {
 namespace {
 
 constexpr int MISSING = -1;
+constexpr std::vector<glm::vec2> HostMesh::*kUvSets[] = {&HostMesh::uv0, &HostMesh::uv1, &HostMesh::uv2,
+                                                         &HostMesh::uv3};
 
 bool has_triangles(const tinygltf::Primitive& primitive) {
     return primitive.mode == TINYGLTF_MODE_TRIANGLES || primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
@@ -145,12 +147,8 @@ private:
         const bool has_tangents = !flat && attribute(primitive, "TANGENT") != MISSING;
         add_attribute(primitive, "NORMAL", mesh_.normals);
         add_attribute(primitive, has_tangents ? "TANGENT" : "", mesh_.tangents);
-        const std::array<int, 2>& uv_sets = document_.uv_sets[material_of(document_, primitive)];
-        add_coordinates(primitive, "TEXCOORD_" + std::to_string(uv_sets[0]), mesh_.uv0);
-        if (uv_sets[1] != uv_sets[0])
-            add_coordinates(primitive, "TEXCOORD_" + std::to_string(uv_sets[1]), mesh_.uv1);
-        else if (!mesh_.uv1.empty())
-            mesh_.uv1.resize(mesh_.positions.size(), glm::vec2(0.0f));
+        const std::array<int, 4>& uv_sets = document_.uv_sets[material_of(document_, primitive)];
+        for (size_t i = 0; i < uv_sets.size(); ++i) add_coordinates(primitive, uv_sets[i], mesh_.*kUvSets[i]);
         add_colors(primitive);
         add_triangles(primitive);
         if (flat)
@@ -165,8 +163,9 @@ private:
                 {static_cast<uint32_t>(first_triangle_), static_cast<uint32_t>(mesh_.triangles.size())});
         const size_t vertices = mesh_.positions.size();
         if (!mesh_.tangents.empty()) mesh_.tangents.resize(vertices, glm::vec4(0.0f));
-        if (!mesh_.uv0.empty()) mesh_.uv0.resize(vertices, glm::vec2(0.0f));
-        if (!mesh_.uv1.empty()) mesh_.uv1.resize(vertices, glm::vec2(0.0f));
+        for (const auto set : kUvSets) {
+            if (!(mesh_.*set).empty()) (mesh_.*set).resize(vertices, glm::vec2(0.0f));
+        }
         if (!mesh_.colors.empty()) mesh_.colors.resize(vertices, glm::vec4(1.0f));
     }
 
@@ -183,7 +182,9 @@ private:
         }
     }
 
-    void add_coordinates(const tinygltf::Primitive& primitive, const std::string& name, std::vector<glm::vec2>& array) {
+    // Those of the file's number, if the material reads any (-1: none).
+    void add_coordinates(const tinygltf::Primitive& primitive, int set, std::vector<glm::vec2>& array) {
+        const std::string name = set < 0 ? "" : "TEXCOORD_" + std::to_string(set);
         add_attribute(primitive, name, array);
         if (within_texture(array)) return;
         fail_at(place_ + "/attributes/" + name, "holds a texture coordinate past 1e8" + EXPORT_AGAIN);
@@ -251,8 +252,7 @@ private:
         if (first_vertex_ + corners >= NONE) fail_at(place_, "has too many triangles for flat normals; split it");
         unshare(mesh_.positions);
         unshare(mesh_.tangents);
-        unshare(mesh_.uv0);
-        unshare(mesh_.uv1);
+        for (const auto set : kUvSets) unshare(mesh_.*set);
         unshare(mesh_.colors);
         unshare_origins();
         mesh_.normals.resize(first_vertex_, glm::vec3(0.0f, 0.0f, 1.0f));

@@ -25,7 +25,7 @@ struct Corner {
 };
 
 glm::vec2 uv_of(const HostMesh& mesh, const CoreTextureSlot& slot, uint32_t vertex) {
-    const std::vector<glm::vec2>& set = slot.uv_set == 0 ? mesh.uv0 : mesh.uv1;
+    const std::vector<glm::vec2>& set = mesh.uv(slot.uv_set);
     if (set.empty()) return glm::vec2(0.0f);
     const glm::vec3 uv(set[vertex], 1.0f);
     return {glm::dot(slot.row_u, uv), glm::dot(slot.row_v, uv)};
@@ -97,8 +97,9 @@ uint32_t duplicate_vertex(HostMesh& mesh, uint32_t vertex) {
     mesh.positions.push_back(glm::vec3(mesh.positions[vertex]));
     mesh.normals.push_back(glm::vec3(mesh.normals[vertex]));
     mesh.tangents.push_back(glm::vec4(0.0f));
-    if (!mesh.uv0.empty()) mesh.uv0.push_back(glm::vec2(mesh.uv0[vertex]));
-    if (!mesh.uv1.empty()) mesh.uv1.push_back(glm::vec2(mesh.uv1[vertex]));
+    for (std::vector<glm::vec2>* set : {&mesh.uv0, &mesh.uv1, &mesh.uv2, &mesh.uv3}) {
+        if (!set->empty()) set->push_back(glm::vec2((*set)[vertex]));
+    }
     if (!mesh.colors.empty()) mesh.colors.push_back(glm::vec4(mesh.colors[vertex]));
     return static_cast<uint32_t>(mesh.positions.size() - 1);
 }

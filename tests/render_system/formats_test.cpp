@@ -62,7 +62,7 @@ bool same_scene(const HostScene& a, const HostScene& b) {
     };
     const auto mesh = [](const HostMesh& x, const HostMesh& y) {
         return x.positions == y.positions && x.normals == y.normals && x.tangents == y.tangents && x.uv0 == y.uv0 &&
-               x.uv1 == y.uv1 && x.colors == y.colors && x.triangles == y.triangles;
+               x.uv1 == y.uv1 && x.uv2 == y.uv2 && x.uv3 == y.uv3 && x.colors == y.colors && x.triangles == y.triangles;
     };
     const auto texture = [](const HostTexture& x, const HostTexture& y) {
         return x.width == y.width && x.height == y.height && x.format == y.format && x.texels == y.texels &&

@@ -178,7 +178,7 @@ void expect_sound(const HostScene& scene) {
         const CoreMaterial& m = material.core;
         for (const CoreTextureSlot* slot : {&m.base_color_texture, &m.normal_texture, &m.emission_texture}) {
             ASSERT_TRUE(slot->texture == NONE || slot->texture < scene.textures().size());
-            ASSERT_LE(slot->uv_set, 1u);
+            ASSERT_LE(slot->uv_set, 3u);
         }
     }
     const LightTable table = build_light_table(scene, 0.0);
