@@ -120,7 +120,7 @@ void CoreMeshes::set_mesh(uint id, const CoreMesh& data) {
     if (id == meshes_.size()) {
         meshes_.emplace_back();
         meshes_.back().first_triangle = mesh_triangles_.size();
-        meshes_.back().first_vertex_row = vertices_.size() - 1;
+        meshes_.back().first_vertex_row = vertices_.size() - kSpareVertexRows;
         edits_.shape = true;  // also without a triangle: it is not there to be moved
     }
     Mesh& mesh = meshes_[id];

@@ -6,6 +6,7 @@
 
 #include "render_system/coincident.h"
 #include "render_system/core_data.h"
+#include "target_core/core_tables.h"
 #include "target_core/device/instance_geometry.h"
 #include "target_core/kernels/layout.h"
 
@@ -98,7 +99,7 @@ private:
     bool is_alive_ = false;
     std::vector<InstanceGeometry> geometry_;
     std::vector<uvec4> mesh_triangles_;
-    std::vector<vec4> vertices_{vec4(0.0f)};
+    std::vector<vec4> vertices_ = std::vector<vec4>(kSpareVertexRows, vec4(0.0f));
     std::vector<vec4> instances_;
 };
 

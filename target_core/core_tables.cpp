@@ -182,15 +182,18 @@ void pack_sky(const CoreSky& sky, SceneTables& tables) {
     }
 }
 
+bool has_more_uv(const CoreMesh& mesh) { return !mesh.uv2.empty() || !mesh.uv3.empty(); }
+
 uint vertex_flags(const CoreMesh& mesh) {
     return (mesh.tangents.empty() ? 0u : INSTANCE_HAS_TANGENTS) |
-           (mesh.uv0.empty() && mesh.uv1.empty() ? 0u : INSTANCE_HAS_UV) |
-           (mesh.colors.empty() ? 0u : INSTANCE_HAS_COLORS);
+           (mesh.uv0.empty() && mesh.uv1.empty() && !has_more_uv(mesh) ? 0u : INSTANCE_HAS_UV) |
+           (has_more_uv(mesh) ? INSTANCE_HAS_MORE_UV : 0u) | (mesh.colors.empty() ? 0u : INSTANCE_HAS_COLORS);
 }
 
 size_t vertex_row_count(const CoreMesh& mesh) {
     const uint flags = vertex_flags(mesh);
-    return mesh.positions.size() * (1u + (flags >> INSTANCE_UV_SHIFT & 1u) + (flags >> INSTANCE_COLORS_SHIFT & 1u));
+    return mesh.positions.size() * (1u + (flags >> INSTANCE_UV_SHIFT & 1u) + (flags >> INSTANCE_MORE_UV_SHIFT & 1u) +
+                                    (flags >> INSTANCE_COLORS_SHIFT & 1u));
 }
 
 void pack_vertices(const CoreMesh& mesh, vec4* rows) {
@@ -201,6 +204,11 @@ void pack_vertices(const CoreMesh& mesh, vec4* rows) {
             glm::vec2 uv0 = mesh.uv0.empty() ? glm::vec2(0.0f) : mesh.uv0[i];
             glm::vec2 uv1 = mesh.uv1.empty() ? glm::vec2(0.0f) : mesh.uv1[i];
             *rows++ = vec4(uv0.x, uv0.y, uv1.x, uv1.y);
+        }
+        if ((flags & INSTANCE_HAS_MORE_UV) != 0u) {
+            glm::vec2 uv2 = mesh.uv2.empty() ? glm::vec2(0.0f) : mesh.uv2[i];
+            glm::vec2 uv3 = mesh.uv3.empty() ? glm::vec2(0.0f) : mesh.uv3[i];
+            *rows++ = vec4(uv2.x, uv2.y, uv3.x, uv3.y);
         }
         if ((flags & INSTANCE_HAS_COLORS) != 0u) {
             *rows++ = row(glm::vec3(mesh.colors[i]), mesh.colors[i].w);
@@ -237,7 +245,9 @@ uint material_features(std::span<const CoreMaterial> materials) {
     auto raise = [&features](bool condition, uint bits) { features |= condition ? bits : 0u; };
     for (const CoreMaterial& material : materials) {
         for (uint i = 0; i < std::size(kTextureSlots); ++i) {
-            raise((material.*kTextureSlots[i]).texture != render_system::NONE, kSlotFeatures[i]);
+            const CoreTextureSlot& slot = material.*kTextureSlots[i];
+            raise(slot.texture != render_system::NONE, kSlotFeatures[i]);
+            raise(slot.texture != render_system::NONE && slot.uv_set > 1, FEATURE_MORE_UV);
         }
         raise(material.transmission > 0.0f && !material.thin_walled, FEATURE_TRANSMISSION);
         raise(has_sheen(material), FEATURE_SHEEN);

@@ -39,6 +39,9 @@ void pack_lights(const render_system::CoreLights& lights, SceneTables& tables);
 /// Fills sky_texels and sky_table.
 void pack_sky(const render_system::CoreSky& sky, SceneTables& tables);
 
+/// At the end of the table of vertices: a kernel may read as many rows behind the last vertex's first.
+constexpr size_t kSpareVertexRows = 2;
+
 /// What of INSTANCE_HAS_... a mesh has.
 uint vertex_flags(const render_system::CoreMesh& mesh);
 

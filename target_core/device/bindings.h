@@ -43,7 +43,7 @@ struct Bindings {
 
 /// What most scenes lack: wide kernels are compiled once with these and, for shading, once without.
 constexpr uint LOBE_FEATURES = FEATURE_SHEEN | FEATURE_COAT | FEATURE_FILM | FEATURE_LOBE_TEXTURES | FEATURE_VOLUME |
-                               FEATURE_ANISOTROPY | FEATURE_DEEP_TEXELS;
+                               FEATURE_ANISOTROPY | FEATURE_DEEP_TEXELS | FEATURE_MORE_UV;
 
 /// Bound per thread for the duration of a tile, as descriptors are for a dispatch.
 inline constinit thread_local Bindings bound{};

@@ -35,6 +35,12 @@ inline Float textured_coverage(Uint instance, Uint primitive, Float u, Float v) 
     at.uv1 = attributes.uv1;
     at.footprint0 = 0.0f;
     at.footprint1 = 0.0f;
+    if (has_feature(FEATURE_MORE_UV)) {
+        at.uv2 = attributes.uv2;
+        at.uv3 = attributes.uv3;
+        at.footprint2 = 0.0f;
+        at.footprint3 = 0.0f;
+    }
     Float coverage = base_color.w * attributes.color.w * sample_slot(floatBitsToUint(slots.x), at).w;
     Float passed = select(coverage >= alpha.y, Float(1.0f), Float(0.0f));
     coverage = select(alpha.y > 0.0f, passed, coverage);

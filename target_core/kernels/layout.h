@@ -15,11 +15,12 @@ namespace target_core {
 
 // mesh_triangles: uvec4 per triangle (vertex, vertex, vertex, material); vertices count from the mesh's first.
 
-// vertices: a row per vertex, one more where its mesh has texture coordinates and one more where it has colours; at the
-// end a row that no vertex has.
-const uint VERTEX_NORMAL = 0u;  // normal.xyz, tangent as bits
-const uint VERTEX_UV = 1u;      // uv0.xy, uv1.xy
-const uint VERTEX_COLOR = 0u;   // from the last row on: linear rgba
+// vertices: a row per vertex, one more where its mesh has texture coordinates, one more where it has more than two sets
+// of them and one more where it has colours; at the end rows that no vertex has.
+const uint VERTEX_NORMAL = 0u;   // normal.xyz, tangent as bits
+const uint VERTEX_UV = 1u;       // uv0.xy, uv1.xy
+const uint VERTEX_MORE_UV = 2u;  // uv2.xy, uv3.xy
+const uint VERTEX_COLOR = 0u;    // from the last row on: linear rgba
 
 // rgba8, a texel in one word: red in the lowest byte.
 const uint RGBA8_MASK = 255u;
@@ -40,8 +41,10 @@ const uint INSTANCE_MESH = 3u;       // first mesh triangle, first row of vertic
 const uint INSTANCE_HAS_TANGENTS = 1u;
 const uint INSTANCE_HAS_UV = 2u;
 const uint INSTANCE_HAS_COLORS = 4u;
+const uint INSTANCE_HAS_MORE_UV = 8u;  // never without INSTANCE_HAS_UV
 const uint INSTANCE_UV_SHIFT = 1u;
 const uint INSTANCE_COLORS_SHIFT = 2u;
+const uint INSTANCE_MORE_UV_SHIFT = 3u;
 
 // materials: 14 rows per material. The slots are in the order of the render system's kTextureSlots.
 const uint MATERIAL_ROWS = 14u;
@@ -152,6 +155,7 @@ const uint FEATURE_VOLUME = 65536u;       // some solid absorbs light
 const uint FEATURE_COINCIDENT = 131072u;  // some triangles lie in one place
 const uint FEATURE_ANISOTROPY = 262144u;
 const uint FEATURE_DEEP_TEXELS = 524288u;  // some textures have 16 bits a channel
+const uint FEATURE_MORE_UV = 1048576u;     // some material reads a third or fourth set of texture coordinates
 
 const uint NONE = 0xFFFFFFFFu;
 

@@ -27,11 +27,16 @@ struct Attributes {
     vec2 uv1;
     Float uv_area0;  // twice the triangle's area in uv
     Float uv_area1;
+    vec2 uv2;
+    vec2 uv3;
+    Float uv_area2;
+    Float uv_area3;
 };
 
 // Of a vertex, by the flags of its instance.
 inline Uint vertex_rows(Uint flags) {
-    return (((flags >> INSTANCE_UV_SHIFT) & 1u) + ((flags >> INSTANCE_COLORS_SHIFT) & 1u)) + 1u;
+    Uint coordinates = ((flags >> INSTANCE_UV_SHIFT) & 1u) + ((flags >> INSTANCE_MORE_UV_SHIFT) & 1u);
+    return (coordinates + ((flags >> INSTANCE_COLORS_SHIFT) & 1u)) + 1u;
 }
 
 // White where a mesh has no colours.
@@ -72,6 +77,19 @@ inline Attributes fetch_attributes(uvec4 corners, Uint flags, Float u, Float v) 
     Float area1 = doubled_area(vec2(uv_a.z, uv_a.w), vec2(uv_b.z, uv_b.w), vec2(uv_c.z, uv_c.w));
     attributes.uv_area0 = select(has_uv, area0, Float(0.0f));
     attributes.uv_area1 = select(has_uv, area1, Float(0.0f));
+    if (has_feature(FEATURE_MORE_UV)) {
+        vec4 more_a = fetch_vertices(rows0, VERTEX_MORE_UV);
+        vec4 more_b = fetch_vertices(rows1, VERTEX_MORE_UV);
+        vec4 more_c = fetch_vertices(rows2, VERTEX_MORE_UV);
+        Mask has_more = (flags & INSTANCE_HAS_MORE_UV) != 0u;
+        vec4 more = select(has_more, (more_a * w + more_b * u) + more_c * v, vec4(0.0f));
+        attributes.uv2 = vec2(more.x, more.y);
+        attributes.uv3 = vec2(more.z, more.w);
+        Float area2 = doubled_area(vec2(more_a.x, more_a.y), vec2(more_b.x, more_b.y), vec2(more_c.x, more_c.y));
+        Float area3 = doubled_area(vec2(more_a.z, more_a.w), vec2(more_b.z, more_b.w), vec2(more_c.z, more_c.w));
+        attributes.uv_area2 = select(has_more, area2, Float(0.0f));
+        attributes.uv_area3 = select(has_more, area3, Float(0.0f));
+    }
     return attributes;
 }
 
@@ -137,6 +155,12 @@ inline Surface make_surface(PathRay path_ray, Hit hit, TriangleVertices triangle
     surface.coordinates.uv1 = attributes.uv1;
     surface.coordinates.footprint0 = attributes.uv_area0 * cover;
     surface.coordinates.footprint1 = attributes.uv_area1 * cover;
+    if (has_feature(FEATURE_MORE_UV)) {
+        surface.coordinates.uv2 = attributes.uv2;
+        surface.coordinates.uv3 = attributes.uv3;
+        surface.coordinates.footprint2 = attributes.uv_area2 * cover;
+        surface.coordinates.footprint3 = attributes.uv_area3 * cover;
+    }
     return surface;
 }
 

@@ -14,6 +14,10 @@ struct TextureCoordinates {
     vec2 uv1;
     Float footprint0;  // squared: uv area under the cone's cross section, before the texture's size
     Float footprint1;
+    vec2 uv2;
+    vec2 uv3;
+    Float footprint2;
+    Float footprint3;
 };
 
 // The sRGB curve: IEC 61966-2-1. s^2.4 is t^4 * t^0.8 with t = sqrt(s) and a polynomial for t^0.8: within 2.5e-6.
@@ -133,10 +137,16 @@ inline vec4 sample_slot(Uint slot, TextureCoordinates at) {
         Rows rows = rows_from(select(used, slot, Uint(0u)) * SLOT_ROWS);
         vec4 row_u = fetch_texture_slots(rows, SLOT_U);
         vec4 row_v = fetch_texture_slots(rows, SLOT_V);
-        Mask second = floatBitsToUint(row_v.w) == 1u;
+        Uint set = floatBitsToUint(row_v.w);
+        Mask second = set == 1u;
         vec2 uv = select(second, at.uv1, at.uv0);
+        Float covered = select(second, at.footprint1, at.footprint0);
+        if (has_feature(FEATURE_MORE_UV)) {
+            uv = select(set == 2u, at.uv2, select(set == 3u, at.uv3, uv));
+            covered = select(set == 2u, at.footprint2, select(set == 3u, at.footprint3, covered));
+        }
         Float area = abs(row_u.x * row_v.y - row_u.y * row_v.x);
-        Float footprint = select(second, at.footprint1, at.footprint0) * area;
+        Float footprint = covered * area;
         vec2 moved = vec2((row_u.x * uv.x + row_u.y * uv.y) + row_u.z, (row_v.x * uv.x + row_v.y * uv.y) + row_v.z);
         color = select(used, sample_texture(floatBitsToUint(row_u.w), moved, footprint), color);
     }

@@ -128,6 +128,43 @@ TEST_P(Lighting, BlendedSurfacesLetTheirShareOfRaysPass) {
     EXPECT_NEAR(reading.mean, 0.7, 4.0 * reading.error + 1e-4);
 }
 
+// Each set names another texel of a texture of four. Where the texel that the third set names is clear, the wall behind
+// is seen, whose mesh has no coordinates at all but one.
+TEST_P(Lighting, EachOfFourSetsOfCoordinatesIsRead) {
+    const bool is_source = GetParam() == std::string("source");  // whose every opening takes half a second
+    for (const uint32_t set : is_source ? std::vector{3u} : std::vector{0u, 1u, 2u, 3u}) {
+        for (const bool masked : {false, true}) {
+            HostScene scene;
+            HostTexture texture;
+            texture.width = 4;
+            texture.height = 1;
+            texture.nearest = true;
+            texture.texels = {0xFF333333u, 0xFF666666u, 0x00999999u, 0xFFFFFFFFu};
+            HostMaterial glow = emitter(1.0f);
+            glow.core.emission_texture.texture = scene.add_texture(texture);
+            glow.core.emission_texture.uv_set = set;
+            if (masked) {
+                glow.core.opaque = false;
+                glow.core.alpha_cutoff = 0.5f;
+                glow.core.base_color_texture.texture = glow.core.emission_texture.texture;
+                glow.core.base_color_texture.uv_set = 2;
+            }
+            HostMesh quad = quad_mesh({-1, -1, 1}, {2, 0, 0}, {0, 2, 0}, scene.add_material(glow));
+            std::vector<glm::vec2>* const sets[] = {&quad.uv0, &quad.uv1, &quad.uv2, &quad.uv3};
+            for (int k = 0; k < 4; ++k)
+                sets[k]->assign(quad.positions.size(), {0.25f * static_cast<float>(k) + 0.125f, 0.5f});
+            place(scene, quad);
+            HostMesh wall = quad_mesh({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, scene.add_material(emitter(5.0f)));
+            wall.uv1.clear();
+            place(scene, wall);
+            const double levels[] = {0.2, 0.4, 0.6, 1.0};
+            const Reading reading = measure(GetParam(), scene, square_view({0, 0, 3}, {0, 0, 0}, 0.1f),
+                                            {.size = 8, .samples = 1, .max_path_length = 1});
+            EXPECT_NEAR(reading.mean, masked ? 5.0 : levels[set], 1e-6) << set << ", " << masked;
+        }
+    }
+}
+
 TEST_P(Lighting, OneSegmentShowsEmittersAndSkyOnly) {
     HostScene scene = lit_plane();
     uint32_t light = scene.add_material(emitter(5.0f));

@@ -407,10 +407,10 @@ TEST(LoaderExtensions, ConvertsSpecularGlossiness) {
     EXPECT_EQ(scene.textures()[material.specular_color_texture.texture].texels[0] & 0xFFFFFFu, 0x204080u);
 }
 
-TEST(LoaderExtensions, ReadsWhicheverTwoUvSetsAMaterialNames) {
+TEST(LoaderExtensions, ReadsWhicheverFourUvSetsAMaterialNames) {
     GltfFile file = one_triangle();
     json& primitive = file.root["meshes"][0]["primitives"][0];
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 6; ++i) {
         const float f = static_cast<float>(i);
         primitive["attributes"]["TEXCOORD_" + std::to_string(i)] =
             file.add(std::vector<glm::vec2>{{f, 0.0f}, {f, 0.5f}, {f, 1.0f}});
@@ -422,9 +422,29 @@ TEST(LoaderExtensions, ReadsWhicheverTwoUvSetsAMaterialNames) {
     const HostScene scene = loaded(file);
     const CoreMaterial& material = first_material(scene);
     const HostMesh& mesh = scene.meshes()[0];
-    const auto u_read_by = [&](const CoreTextureSlot& slot) { return (slot.uv_set == 0 ? mesh.uv0 : mesh.uv1)[1].x; };
+    const auto u_read_by = [&](const CoreTextureSlot& slot) { return mesh.uv(slot.uv_set)[1].x; };
     EXPECT_EQ(u_read_by(material.base_color_texture), 3.0f);
     EXPECT_EQ(u_read_by(material.normal_texture), 2.0f);
+    EXPECT_TRUE(mesh.uv2.empty() && mesh.uv3.empty());
+    // Five: the fifth is left out.
+    const auto info = [texture](int set) { return json{{"index", texture}, {"texCoord", set}}; };
+    file.root["materials"][0]["extensions"] = {
+        {"KHR_materials_clearcoat",
+         {{"clearcoatFactor", 1}, {"clearcoatTexture", info(4)}, {"clearcoatRoughnessTexture", info(1)}}}};
+    const HostScene four = loaded(file);
+    const CoreMaterial& coated = first_material(four);
+    const auto u_of_four = [&](const CoreTextureSlot& slot) { return four.meshes()[0].uv(slot.uv_set)[1].x; };
+    EXPECT_EQ(u_of_four(coated.base_color_texture), 3.0f);
+    EXPECT_EQ(u_of_four(coated.normal_texture), 2.0f);
+    EXPECT_EQ(u_of_four(coated.coat_texture), 4.0f);
+    EXPECT_EQ(u_of_four(coated.coat_roughness_texture), 1.0f);
+    file.root["materials"][0]["emissiveFactor"] = {1, 1, 1};
+    file.root["materials"][0]["emissiveTexture"] = info(5);
+    std::vector<std::string> warnings;
+    loaded(file, &warnings);
+    EXPECT_THAT(warnings, ElementsAre(HasSubstr("a fifth uv set in one material (/materials/0)")));
+    file.root["materials"][0].erase("emissiveTexture");
+    file.root["materials"][0].erase("extensions");
     // The only one there is, and it is the third.
     file.root["materials"][0].erase("normalTexture");
     const HostScene single = loaded(file);

@@ -87,6 +87,7 @@ Status send_feature_scene(CoreAPI& core) {
     plain.metallic_roughness_texture.texture = 0;
     plain.normal_texture.texture = 0;
     plain.specular_texture.texture = 0;
+    plain.specular_texture.uv_set = 2;
     plain.sheen_color = glm::vec3(0.5f);
     plain.coat = 0.5f;
     plain.film = 0.5f;

@@ -267,10 +267,13 @@ def textures():
     texture = model.texture(COLOR)
     model.material(pbrMetallicRoughness={"baseColorTexture": {"index": texture, "texCoord": 3}},
                    emissiveFactor=[1, 1, 1], emissiveTexture={"index": texture, "texCoord": 2})
+    coat = {"clearcoatFactor": 1, "clearcoatTexture": {"index": texture, "texCoord": 0}}
+    model.root["materials"][0]["normalTexture"] = {"index": texture, "texCoord": 1}
+    model.root["materials"][0]["extensions"] = {"KHR_materials_clearcoat": coat}
     model.write("uv_sets")
-    info = {"index": texture, "texCoord": 1}
-    model.root["materials"][0]["normalTexture"] = info
-    model.write("third_uv_set")
+    attributes["TEXCOORD_4"] = attributes["TEXCOORD_0"]
+    coat["clearcoatRoughnessTexture"] = {"index": texture, "texCoord": 4}
+    model.write("fifth_uv_set")
 
     model = Model()
     model.material(pbrMetallicRoughness={"baseColorTexture": {"index": model.texture(COLOR), "texCoord": 2}})
