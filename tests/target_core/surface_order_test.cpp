@@ -116,7 +116,7 @@ TEST_F(SurfaceOrder, AScenesInstancesAreGivenBins) {
     CoreMeshes meshes;
     for (uint mesh : {0u, 1u}) {
         std::vector<glm::uvec4> triangle = {{0, 1, 2, 1 - mesh}};
-        meshes.set_mesh(mesh, {positions, normals, {}, {}, {}, {}, triangle});
+        meshes.set_mesh(mesh, {positions, normals, {}, {}, {}, {}, {}, {}, triangle});
         meshes.set_instance(mesh, mesh, {});
     }
     meshes.place(materials);

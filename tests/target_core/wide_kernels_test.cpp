@@ -87,6 +87,7 @@ protected:
             material.film = i % 4 == 3 ? 0.7f : 0.0f;
             material.film_texture.texture = i % 8 == 3 ? 0 : render_system::NONE;
             material.film_thickness_texture.texture = i % 8 == 7 ? 0 : render_system::NONE;
+            material.base_color_texture.uv_set = i % 4;
             material.coat = i % 5 == 3 ? 0.8f : 0.0f;
             material.coat_roughness = 0.08f * static_cast<float>(i % 9);
             material.coat_texture.texture = i % 10 == 3 ? 0 : render_system::NONE;
@@ -143,7 +144,7 @@ protected:
         constexpr uint N = 20;
         std::vector<glm::vec3> positions, normals;
         std::vector<glm::vec4> tangents;
-        std::vector<glm::vec2> uv;
+        std::vector<glm::vec2> uv, turned;
         std::vector<glm::vec4> colors;
         std::vector<glm::uvec4> triangles;
         for (uint i = 0; i < N * N; ++i) {
@@ -153,6 +154,7 @@ protected:
             normals.push_back(glm::normalize(glm::vec3(-0.5f * std::cos(3.0f * x), 1.0f, 0.3f * std::sin(2.0f * z))));
             tangents.push_back({1, 0, 0, i % 2 == 0 ? 1.0f : -1.0f});
             uv.push_back({x * 1.7f, z * 0.9f});
+            turned.push_back({z * 0.7f, x * 1.3f});
             colors.push_back(
                 {0.5f + 0.1f * static_cast<float>(i % 5), 0.9f, 0.51f + 0.07f * static_cast<float>(i % 7), 1.0f});
         }
@@ -162,7 +164,7 @@ protected:
                 triangles.push_back({i + 1, i + N, i + N + 1, first + (i * 5) % material_count});
             }
         }
-        meshes_.set_mesh(mesh, {positions, normals, tangents, uv, uv, colors, triangles});
+        meshes_.set_mesh(mesh, {positions, normals, tangents, uv, uv, turned, uv, colors, triangles});
     }
 
     void make_frame() {
@@ -576,7 +578,7 @@ TEST_F(WideKernelsScene, TheAlphaFilterKeepsDenormalsWhereEmbreeFlushesThem) {
     std::vector<glm::vec3> normals(3, glm::vec3(0, 0, -1));
     std::vector<glm::vec2> uv = {{0.25f, 0.5f}, {0.75f, 0.5f}, {0.25f, 0.5f}};
     std::vector<glm::uvec4> triangles = {{0, 1, 2, 0}};
-    meshes_.set_mesh(0, {positions, normals, {}, uv, {}, {}, triangles});
+    meshes_.set_mesh(0, {positions, normals, {}, uv, {}, {}, {}, {}, triangles});
     build();
     Tile tile;
     use(tile);
