@@ -174,15 +174,28 @@ bool may_stand_for(std::string_view a, std::string_view b) {
            both_in({"round", "rint", "floor"}) || both_in({"fabs", "abs"}) || both_in({"mod", "fmod"});
 }
 
-/// True at two calls of functions of mathematics that give something else: `floor ( x )` beside `ceil ( x )`.
-bool call_other_mathematics(const Text& here, size_t i, const Text& there, size_t k, const Dialect& dialect) {
+/// True of two that do so only where the argument differs: `round ( x )` for `floor ( x + 0.5 )`, `dot ( v , v )` for
+/// `length ( v )`.
+bool needs_another_argument(std::string_view a, std::string_view b) {
+    const auto is_limit = [](std::string_view name) { return is_one_of(name, {"clamp", "saturate", "min", "max"}); };
+    const auto is_size = [](std::string_view name) { return is_one_of(name, {"fabs", "abs", "mod", "fmod"}); };
+    return !is_limit(a) && !is_limit(b) && !is_size(a) && !is_size(b);
+}
+
+/// How two calls of functions of mathematics may differ in what they give.
+enum class OtherCall : uint8_t { No, Perhaps, Yes };
+
+/// Whether two calls of functions of mathematics give something else: `floor ( x )` beside `ceil ( x )`.
+OtherCall call_other_mathematics(const Text& here, size_t i, const Text& there, size_t k, const Dialect& dialect) {
     const auto is_called = [](const Text& text, size_t at) {
         return at + 1 < text.size() && text[at + 1] == "(" &&
                (at == 0 || !is_one_of(text[at - 1], {".", "->"}));  // a method is of its class
     };
-    if (!is_called(here, i) || !is_called(there, k)) return false;
+    if (!is_called(here, i) || !is_called(there, k)) return OtherCall::No;
     const PureCall a = pure_call(here[i], dialect), b = pure_call(there[k], dialect);
-    return a.is_pure && b.is_pure && a.name != b.name && !may_stand_for(a.name, b.name);
+    if (!a.is_pure || !b.is_pure || a.name == b.name) return OtherCall::No;
+    if (!may_stand_for(a.name, b.name)) return OtherCall::Yes;
+    return needs_another_argument(a.name, b.name) ? OtherCall::Perhaps : OtherCall::No;
 }
 
 bool is_member(const Text& text, size_t i) {
@@ -198,13 +211,16 @@ std::set<std::string_view> members_of(const Text& text, std::string_view name) {
 }
 
 /// True if an edit brought a member where the other text has another, unlike one of the same name's, of which both
-/// texts have a member in common.
-bool brings_other_member(const SideEdit& source, const SideEdit& target, const Distance& today) {
+/// texts have a member in common; or a function that does the same of another argument only.
+bool brings_other_member(const SideEdit& source, const SideEdit& target, const Distance& today,
+                         const Dialect& dialect) {
     if (today.other_names.empty()) return false;
     const std::vector<bool> here = places_gained(source), there = places_gained(target);
     return std::any_of(today.other_names.begin(), today.other_names.end(), [&](const auto& each) {
         const auto [i, k] = each;
-        if ((!here[i] && !there[k]) || !is_member(source.now, i) || !is_member(target.now, k)) return false;
+        if (!here[i] && !there[k]) return false;
+        if (call_other_mathematics(source.now, i, target.now, k, dialect) == OtherCall::Perhaps) return true;
+        if (!is_member(source.now, i) || !is_member(target.now, k)) return false;
         if (source.now[i - 2] != target.now[k - 2] || are_like(source.now[i], target.now[k])) return false;
         const auto a = members_of(source.now, source.now[i - 2]), b = members_of(target.now, target.now[k - 2]);
         return std::any_of(a.begin(), a.end(), [&](std::string_view member) { return b.contains(member); });
@@ -222,7 +238,7 @@ bool brings_wrong_name(const SideEdit& source, const SideEdit& target, const Dis
     return std::any_of(today.other_names.begin(), today.other_names.end(), [&](const auto& each) {
         const auto [i, k] = each;
         if (!here[i] && !there[k]) return false;
-        if (call_other_mathematics(source.now, i, target.now, k, dialect)) return true;
+        if (call_other_mathematics(source.now, i, target.now, k, dialect) == OtherCall::Yes) return true;
         return is_member(source.now, i) && is_member(target.now, k) && (agreed(source.now[i]) || agreed(target.now[k]));
     });
 }
@@ -278,7 +294,7 @@ bool edits_in_own_words(const PairTexts& texts, const Dialect& dialect) {
 bool bring_other_members(const PairTexts& texts, const Dialect& dialect) {
     const SideEdit source(texts.source_before, texts.source_now, dialect),
         target(texts.target_before, texts.target_now, dialect);
-    return brings_other_member(source, target, Distance(source.now, target.now, dialect));
+    return brings_other_member(source, target, Distance(source.now, target.now, dialect), dialect);
 }
 
 bool are_twins(const Words& a, const Words& b, const Dialect& dialect) {
@@ -308,7 +324,7 @@ Nearing draws_nearer(LaidEdit& laid) {
     const bool keeps_what_was_alike =
         std::includes(today.covered.begin(), today.covered.end(), then.covered.begin(), then.covered.end());
     if ((!keeps_what_was_alike && astray > 0) || !signs_arrive(edit, other, {then, today})) return Nearing::No;
-    if (brings_other_member(edit, other, today)) return Nearing::WithOtherMembers;
+    if (brings_other_member(edit, other, today, dialect)) return Nearing::WithOtherMembers;
     const bool in_order =
         !rewrites_in_another_order(edit, today) && grouping_of_edit(laid.texts(), dialect) == Grouping::Alike;
     return in_order ? Nearing::Yes : Nearing::InAnotherOrder;

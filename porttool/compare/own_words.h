@@ -34,7 +34,7 @@ enum class Nearing : uint8_t {
     No,
     InAnotherOrder,    ///< its words, some of them where the other side has others, or in other brackets or types: a
                        ///< wrong port, or another manner
-    WithOtherMembers,  ///< but for a member of what both call the same, see bring_other_members()
+    WithOtherMembers,  ///< but for a member or function, see bring_other_members()
     Yes,
 };
 

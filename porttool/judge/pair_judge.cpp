@@ -567,10 +567,11 @@ void PairJudge::weigh_edit(JudgedPair& pair, Side side, const NormalText& before
         // What is gone draws any two texts nearer that the other says in words of its own.
         const bool is_slip = only_takes(texts.before, texts.now) && (words_edited(texts.before, texts.now) < kNoSlip ||
                                                                      !are_twins(texts.now, texts.other, dialect_));
-        return weaken(pair, finding, in_order && !is_slip ? Level::Note : Level::Warning,
-                      there_is + (in_order                               ? " has most of it"
-                                  : nearing == Nearing::WithOtherMembers ? " has most of it, with another member"
-                                                                         : " has its words, some in other places"));
+        return weaken(
+            pair, finding, in_order && !is_slip ? Level::Note : Level::Warning,
+            there_is + (in_order                               ? " has most of it"
+                        : nearing == Nearing::WithOtherMembers ? " has most of it, with another member or function"
+                                                               : " has its words, some in other places"));
     }
     weigh_ground(pair, side, laid, finding);
 }

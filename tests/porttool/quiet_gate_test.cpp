@@ -1627,6 +1627,7 @@ TEST(QuietGate, AnotherFunctionOfMathematicsIsNoEditInOwnWords) {
     EXPECT_EQ(after_both("fmaxf(v, p.knee)", "std::min(v, p.knee)"), told);
     EXPECT_EQ(after_both("powf(v, p.knee)", "std::fmod(v, p.knee)"), told);
     EXPECT_EQ(after_both("fabsf(v * p.knee)", "std::sqrt(v * p.knee)"), told);
+    EXPECT_EQ(after_both("floorf(v * p.knee)", "std::round(v * p.knee)"), told) << "which is floor of half more";
     // Another member of what both call the same, new to both; and another spelling of one.
     EXPECT_EQ(after_both("floorf(v * p.knee)", "std::floor(v * p.crest)"), told);
     EXPECT_EQ(after_both("floorf(v * p.kneeLevel)", "std::floor(v * p.knee_level)"), Loud{});
