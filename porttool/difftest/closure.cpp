@@ -115,7 +115,7 @@ public:
             const Directive& line = lexed.directives[directive];
             for (uint32_t i = line.first_token + 1; i < line.end_token; ++i)
                 if (lexed.tokens[i].kind == TokenKind::Identifier)
-                    for (const Definition* found : definitions_.find_macro(*one.file, lexed.view(i)))
+                    for (const Definition* found : asked_for(one, line, i))
                         if (found->kind == Definition::Kind::Macro && found != &one) bring(*found);
         }
         std::set<std::string, std::less<>> locals;
@@ -261,6 +261,14 @@ private:
             for (const Definition* found : callable(meant_by(one, word), arguments_of_call(lexed, i, range.end)))
                 if (found->owner.empty() && found != &one) bring(*found);
         }
+    }
+
+    /// The macro that a condition asks for. A header may ask whether those who include it define one before that.
+    std::vector<const Definition*> asked_for(const Definition& one, const Directive& line, uint32_t i) const {
+        const LexedText& lexed = one.file->lexed;
+        std::vector<const Definition*> own = definitions_.find_macro(*one.file, lexed.view(i));
+        const bool denies = lexed.view(line.first_token + 1) == "ifndef";  // a default, which stands where it is
+        return own.empty() && !denies && one.file != &root_ ? definitions_.find_macro(root_, lexed.view(i)) : own;
     }
 
     /// What a name in a piece means. A macro is written where it is used: what its own file does not know, that of the

@@ -10,6 +10,7 @@
 #include "porttool/difftest/prelude.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
+#include "porttool/scan/scan.h"
 
 namespace porttool {
 namespace {
@@ -127,7 +128,8 @@ std::vector<uint32_t> conditions_of_head(const Definition& function) {
 class Writer {
 public:
     Writer(const ScannedFile& file, const CppManner& manner)
-        : lexed_(file.lexed),
+        : file_(file),
+          lexed_(file.lexed),
           manner_(manner),
           language_(language_of(file, manner)),
           shading_(traits_of(language_).literals == Literals::Shading),
@@ -259,6 +261,10 @@ private:
                 return i + 1;
             }
         }
+        if (member && is_sycl_component(i, end)) {
+            append(word, false);
+            return i + 3;
+        }
         if (is_name_in_c(word, language_)) {
             append(std::string(word) + "_", apart && !member);
             return i + 1;
@@ -313,6 +319,21 @@ private:
         return i + 1;
     }
 
+    /// True for `v.x()` as SYCL asks for a component, in a file that speaks of SYCL and has no function of that name.
+    bool is_sycl_component(uint32_t i, uint32_t end) const {
+        constexpr std::string_view kComponents = "xyzwrgba";
+        if (i + 2 >= end || view(i + 1) != "(" || view(i + 2) != ")" || view(i).size() != 1 ||
+            kComponents.find(view(i)[0]) == std::string_view::npos)
+            return false;
+        const auto speaks_of_sycl = [&](const Token& token) {
+            const std::string_view word = lexed_.view(token);
+            return word.find("sycl") != std::string_view::npos || word.find("dpct") != std::string_view::npos;
+        };
+        return std::any_of(lexed_.tokens.begin(), lexed_.tokens.end(), speaks_of_sycl) &&
+               std::none_of(file_.units.begin(), file_.units.end(),
+                            [&](const Unit& unit) { return leaf_of(unit.name) == view(i); });
+    }
+
     /// True for `friend class X;`, which asks for a name and gives nothing that is needed here.
     bool is_friend_class(uint32_t i, uint32_t end) const {
         while (i < end && view(i) != ";" && view(i) != "(" && view(i) != "{") ++i;
@@ -347,6 +368,7 @@ private:
         return std::string(word) + "f";
     }
 
+    const ScannedFile& file_;
     const LexedText& lexed_;
     const CppManner& manner_;
     const Language language_;

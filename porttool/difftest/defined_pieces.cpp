@@ -3,6 +3,7 @@
 #include "porttool/difftest/defined_pieces.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "porttool/difftest/prelude.h"
@@ -10,6 +11,7 @@
 #include "porttool/normal/unit_state.h"
 #include "porttool/scan/scan.h"
 #include "porttool/sync/unit_extent.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
@@ -56,6 +58,10 @@ public:
                 met.push_back(open.back().front());
                 open.back().clear();
                 after_.emplace_back(all[i].end_token, open);
+            } else if (all[i].kind == DirectiveKind::Define && !open.empty()) {
+                for (const std::vector<uint32_t>& group : open)
+                    if (group.size() == 1 && asks_whether_not(group.front(), macro_name(file.lexed, all[i])))
+                        within_.emplace(group.front(), all[i].end_token);
             }
             if (all[i].kind == DirectiveKind::Endif && !open.empty()) open.pop_back();
             if (about || all[i].kind == DirectiveKind::Endif) after_.emplace_back(all[i].first_token, open);
@@ -63,10 +69,11 @@ public:
     }
     void set(Definition& definition) const {
         for (const std::vector<uint32_t>& group : open_at(definition.tokens.first))
-            definition.conditions.insert(definition.conditions.end(), group.begin(), group.end());
+            if (!is_past(group, definition))
+                definition.conditions.insert(definition.conditions.end(), group.begin(), group.end());
         // A text that conditions stand in may leave others open than it began in.
         for (const std::vector<uint32_t>& group : open_at(definition.tokens.end - 1))
-            if (!group.empty()) ++definition.open_conditions;
+            if (!group.empty() && !is_past(group, definition)) ++definition.open_conditions;
     }
 
 private:
@@ -74,6 +81,15 @@ private:
         const Directive& one = file_.lexed.directives[directive];
         return one.kind == DirectiveKind::If && one.end_token == one.first_token + 3 &&
                file_.lexed.view(one.first_token + 1) == "ifndef" && file_.lexed.view(one.first_token + 2) == name;
+    }
+
+    /// True for an `#ifndef NAME` in one of whose branches the name is defined: what it asked was asked before that.
+    /// Macros stand in the order of the text, before all else, and another `#define NAME` is one of the branches.
+    bool is_past(const std::vector<uint32_t>& group, const Definition& definition) const {
+        const auto found = group.size() == 1 ? within_.find(group.front()) : within_.end();
+        if (found == within_.end()) return false;
+        return definition.kind != Definition::Kind::Macro ||
+               (found->second <= definition.tokens.first && !asks_whether_not(group.front(), definition.name));
     }
 
     Groups open_at(uint32_t token) const {
@@ -84,6 +100,7 @@ private:
 
     const ScannedFile& file_;
     std::vector<std::pair<uint32_t, Groups>> after_;
+    std::map<uint32_t, uint32_t> within_;  ///< of an `#ifndef NAME` where a `#define NAME` in one of its branches ends
 };
 
 /// The token before the bracket that the one at `close` closes; `first` where there is none.
@@ -284,6 +301,18 @@ private:
                     macro_name(lexed_, directive));
     }
 
+    /// Where the `template <...>` of an alias begins that stands there; the place itself where it has none.
+    uint32_t head_before(uint32_t alias) const {
+        int depth = 0;
+        for (uint32_t i = alias; i-- > 0 && !is_one_of(lexed_.view(i), {";", "{", "}"});) {
+            if (lexed_.view(i) == ">") ++depth;
+            if (lexed_.view(i) == ">>") depth += 2;
+            if (lexed_.view(i) == "<") --depth;
+            if (depth == 0) return i > 0 && lexed_.view(i) == "<" && lexed_.view(i - 1) == "template" ? i - 1 : alias;
+        }
+        return alias;
+    }
+
     /// Those between the units.
     void cut_tables_and_types() {
         std::sort(taken_.begin(), taken_.end(), [](TokenRange a, TokenRange b) { return a.first < b.first; });
@@ -307,7 +336,7 @@ private:
             uint32_t end = i;
             while (end < count && lexed_.view(end) != ";") ++end;
             const TokenRange statement{i, std::min(end + 1, count)};
-            add(Definition::Kind::Type, nullptr, statement, type_name(lexed_, statement));
+            add(Definition::Kind::Type, nullptr, {head_before(i), statement.end}, type_name(lexed_, statement));
             i = end;
         }
     }

@@ -15,7 +15,8 @@ const std::set<std::string, std::less<>>& prelude_names() {
             const std::string leaf(leaf_of(unit.name));
             if (unit.kind == UnitKind::Function && !leaf.starts_with("operator") &&
                 leaf.find('#') == std::string::npos && unit.name.find("vec::") == std::string::npos &&
-                unit.name.find("mat::") == std::string::npos && unit.name.find("Parts::") == std::string::npos)
+                unit.name.find("mat::") == std::string::npos && unit.name.find("Parts::") == std::string::npos &&
+                unit.name.find("ext::") == std::string::npos)
                 out.insert(leaf);
         }
         // PORTTOOL_OWN(fract, ...) defines fract; PORTTOOL_VECTORS(unsigned int, uint) make_uint2, make_uint3, ...

@@ -592,6 +592,69 @@ float grown(float& a, float& b) { a += b; return a; }
         EXPECT_EQ(pair_of(pairs, name)["state"], "not_run") << pair_of(pairs, name).dump(1);
 }
 
+TEST_F(Difftest, ReadsHeadersThatAskWhoIncludesThem) {
+    write("common/types.h", R"(#ifndef HAS_TYPES
+#if defined(FOR_HOST)
+typedef double number;
+#define HAS_TYPES
+#elif defined(FOR_GPU)
+typedef float number;
+#define HAS_TYPES
+#endif
+#if defined(HAS_TYPES)
+#define LAYERS 3
+typedef struct { number weight; int count; } block;
+#endif
+#endif
+)");
+    const char* const gpu = R"(#define FOR_GPU
+#include "common/types.h"
+__device__ float weighed(const block* b) { return b->weight * b->count + LAYERS; }
+__device__ int bytes(int n) { return n * (int)sizeof(number); }
+)";
+    const nlohmann::json pairs = run_on("a.cu", gpu, "b.cpp", R"(#define FOR_HOST
+#include "common/types.h"
+float weighed(const block* b) { return b->weight * b->count + 3; }
+int bytes(int n) { return n * 8; }
+)",
+                                        {"--inputs", "500", "--ulps", "8"});
+    EXPECT_NE(pair_of(pairs, "weighed")["state"], "not_run") << pair_of(pairs, "weighed").dump(1);
+    EXPECT_EQ(pair_of(pairs, "bytes")["state"], "differs") << "4 here, 8 there: each includes its own branch";
+    EXPECT_EQ(pair_of(pairs, "bytes")["counterexample"]["source"], 4) << pair_of(pairs, "bytes").dump(1);
+}
+
+TEST_F(Difftest, TakesSyclForCpp) {
+    nlohmann::json pairs = run_on("a.cu", R"(
+__device__ float root(float x) { return sqrtf(x); }
+__device__ float second(float2 v) { return v.x * 2.0f + v.y; }
+__device__ int product(int a, int b) { return a * b; }
+__device__ float halves(half2 a, half2 b) { return __low2float(__hmul2(a, b)) + (float)__high2half(__hsub2(a, b)); }
+__device__ float turned(half2 v) { const float2 f = __half22float2(v); return f.x - f.y; }
+)",
+                                  "b.cpp", R"(
+template <class T> T root(T x) {
+    if constexpr (std::is_same_v<T, sycl::ext::oneapi::bfloat16>) { return sycl::ext::oneapi::experimental::sqrt(x); }
+    else { return sycl::sqrt(x); } }
+float second(sycl::float2 v) { return v.x() * 2.0f + v.y(); }
+template <typename A, typename B> using wide = std::conditional_t<std::is_unsigned_v<A> && std::is_unsigned_v<B>, unsigned, int>;
+int product(int a, int b) { wide<int, int> out = a * b; return out; }
+float halves(sycl::half2 a, sycl::half2 b) {
+    const sycl::half2 c = a * b, d = a - b; return (float)c.x() + (float)d.y(); }
+float turned(sycl::half2 v) {
+    const sycl::float2 f = v.convert<float, sycl::rounding_mode::automatic>(); return f.x() - f.y(); }
+)",
+                                  {"--inputs", "500", "--ulps", "0"});
+    for (const char* name : {"root", "second", "product", "halves", "turned"})
+        EXPECT_EQ(pair_of(pairs, name)["state"], "same") << pair_of(pairs, name).dump(1);
+    // A method of that name is one.
+    pairs = run_on("a.cu", "__device__ float held(float v) { return v * 3.0f; }\n", "b.cpp", R"(
+struct Held { float v; float x() const { return v * 3.0f; } };
+float held(float v) { sycl::float2 unused; Held h{v}; return h.x(); }
+)",
+                   {"--inputs", "500"});
+    EXPECT_EQ(pair_of(pairs, "held")["state"], "same") << pair_of(pairs, "held").dump(1);
+}
+
 /// C as it was written before it had prototypes, and what C++ reads otherwise.
 constexpr const char* kOldC = R"(#include QUOTED(FOLDER/units.h)
 #include <complex.h>

@@ -79,6 +79,9 @@ struct Storage<T, 4> {
     };
 };
 
+/// SYCL's names for how what does not fit is rounded.
+enum class rounding_mode { automatic, rte, rtz, rtp, rtn };
+
 template <class T, int N, int... I>
 struct Parts;
 
@@ -112,6 +115,9 @@ struct vec : Storage<T, N> {
     constexpr Parts<T, N, I...> parts() {
         return {*this};
     }
+    /// SYCL's; to the nearest real, to the whole number towards 0.
+    template <class A, rounding_mode R = rounding_mode::automatic>
+    requires(R == rounding_mode::automatic) constexpr vec<A, N> convert() const { return vec<A, N>(*this); }
 
 private:
     template <class A>
@@ -750,6 +756,15 @@ template <Number A>
 constexpr A pown(A x, int power) {
     return static_cast<A>(std::pow(x, static_cast<A>(power)));
 }
+constexpr _Float16 __low2half(const vec<_Float16, 2>& v) { return v.at[0]; }
+constexpr _Float16 __high2half(const vec<_Float16, 2>& v) { return v.at[1]; }
+constexpr vec<_Float16, 2> __hmul2(const vec<_Float16, 2>& a, const vec<_Float16, 2>& b) { return a * b; }
+constexpr vec<_Float16, 2> __hadd2(const vec<_Float16, 2>& a, const vec<_Float16, 2>& b) { return a + b; }
+constexpr vec<_Float16, 2> __hsub2(const vec<_Float16, 2>& a, const vec<_Float16, 2>& b) { return a - b; }
+constexpr _Float16 __hmul(_Float16 a, _Float16 b) { return a * b; }
+constexpr _Float16 __hadd(_Float16 a, _Float16 b) { return a + b; }
+constexpr _Float16 __hsub(_Float16 a, _Float16 b) { return a - b; }
+constexpr _Float16 __hdiv(_Float16 a, _Float16 b) { return a / b; }
 constexpr float __low2float(const vec<_Float16, 2>& v) { return static_cast<float>(v.at[0]); }
 constexpr float __high2float(const vec<_Float16, 2>& v) { return static_cast<float>(v.at[1]); }
 constexpr vec<float, 2> __half22float2(const vec<_Float16, 2>& v) { return {__low2float(v), __high2float(v)}; }
@@ -959,6 +974,54 @@ using dmat3 = mat<double, 3, 3>;
 using dmat4 = mat<double, 4, 4>;
 using mat3x4 = mat<float, 3, 4>;
 using mat4x3 = mat<float, 4, 3>;
+
+// ---- What oneAPI adds to SYCL ----
+
+namespace ext::oneapi {
+
+/// The upper half of a float, to the nearest one, to an even one of two.
+struct bfloat16 {
+    uint16_t bits = 0;
+
+    bfloat16() = default;
+    constexpr bfloat16(float x) {
+        const uint32_t all = std::bit_cast<uint32_t>(x);
+        const bool is_nan = (all & 0x7fffffffu) > 0x7f800000u;
+        bits = static_cast<uint16_t>(is_nan ? (all >> 16) | 0x40u : (all + 0x7fffu + ((all >> 16) & 1u)) >> 16);
+    }
+    constexpr operator float() const { return std::bit_cast<float>(static_cast<uint32_t>(bits) << 16); }
+};
+
+namespace experimental {
+#define PORTTOOL_OF_BFLOAT16(name) \
+    constexpr bfloat16 name(bfloat16 x) { return bfloat16(std::name(static_cast<float>(x))); }
+PORTTOOL_OF_BFLOAT16(sqrt)
+PORTTOOL_OF_BFLOAT16(exp)
+PORTTOOL_OF_BFLOAT16(exp2)
+PORTTOOL_OF_BFLOAT16(log)
+PORTTOOL_OF_BFLOAT16(log2)
+PORTTOOL_OF_BFLOAT16(log10)
+PORTTOOL_OF_BFLOAT16(sin)
+PORTTOOL_OF_BFLOAT16(cos)
+PORTTOOL_OF_BFLOAT16(tanh)
+PORTTOOL_OF_BFLOAT16(fabs)
+PORTTOOL_OF_BFLOAT16(floor)
+PORTTOOL_OF_BFLOAT16(ceil)
+PORTTOOL_OF_BFLOAT16(trunc)
+PORTTOOL_OF_BFLOAT16(rint)
+#undef PORTTOOL_OF_BFLOAT16
+constexpr bfloat16 fmin(bfloat16 a, bfloat16 b) {
+    return bfloat16(std::fmin(static_cast<float>(a), static_cast<float>(b)));
+}
+constexpr bfloat16 fmax(bfloat16 a, bfloat16 b) {
+    return bfloat16(std::fmax(static_cast<float>(a), static_cast<float>(b)));
+}
+constexpr bfloat16 fma(bfloat16 a, bfloat16 b, bfloat16 c) {
+    return bfloat16(std::fma(static_cast<float>(a), static_cast<float>(b), static_cast<float>(c)));
+}
+}  // namespace experimental
+
+}  // namespace ext::oneapi
 
 }  // namespace porttool_prelude
 
