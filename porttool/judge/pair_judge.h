@@ -7,16 +7,14 @@
 
 #include "porttool/compare/added_branches.h"
 #include "porttool/compare/compare_pair.h"
-#include "porttool/compare/laid_edit.h"
-#include "porttool/compare/respelled_calls.h"
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/judge.h"
 #include "porttool/judge/lock_index.h"
-#include "porttool/judge/own_names.h"
+#include "porttool/judge/one_sided_weight.h"
 #include "porttool/judge/resolve.h"
 #include "porttool/judge/shared_files.h"
 #include "porttool/judge/swept_names.h"
-#include "porttool/judge/watched_units.h"
+#include "porttool/judge/two_sided_weight.h"
 
 namespace porttool {
 
@@ -57,12 +55,6 @@ private:
     void report_values(const JudgedPair& pair, const PairComparison& found);
     void report_one(JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before);
     void report_both(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before);
-    void weigh_edits(const JudgedPair& pair, const BySide<NormalText>& before, Finding& finding) const;
-    AddedBranches added_for_another_build(const UnitState& unit, Side side, const Words& before) const;
-    bool has_doubtful_switch(const PairTexts& texts, const JudgedPair& pair) const;
-    bool call_the_same(const std::vector<RespelledCall>& calls, Side side, const Words& there) const;
-    void weigh_edit(JudgedPair& pair, Side side, const NormalText& before, Finding& finding) const;
-    void weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, Finding& finding) const;
 
     const Case& facts_;
     const BySide<RenamedNames>& renamed_;
@@ -70,9 +62,9 @@ private:
     Dialect dialect_;
     CompareBudget budget_;
     bool found_one_edit_ = false;
-    mutable OwnNames own_names_;      ///< what was asked of it is kept
-    mutable SweptNames swept_names_;  ///< what was asked of it is kept
-    mutable WatchedUnits watched_;    ///< what was asked of it is kept
+    SweptNames swept_names_;
+    OneSidedWeight one_sided_;
+    TwoSidedWeight two_sided_;
     SharedFiles& shared_files_;
     std::map<std::string, std::string> unread_;  ///< files, and why
 };
