@@ -149,7 +149,8 @@ std::string SweptNames::say(Side side, const Words& before, const Words& now) {
 }
 
 std::vector<std::string> SweptNames::causes(Side side, const std::string& file, const Words& before, const Words& now) {
-    if (!facts_.files) return {};
+    constexpr size_t kOneForOne = 2;  // such a slip may be made in several places
+    if (!facts_.files || words_edited(before, now) <= kOneForOne) return {};
     std::vector<std::string> out = new_names(side, file, before, now);
     return out.empty() ? brought_names(side, before, now) : out;
 }

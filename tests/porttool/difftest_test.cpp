@@ -444,8 +444,10 @@ TEST(BuildDefines, AreReadFromTextsAlone) {
 }
 
 TEST_F(Difftest, LeavesNothingBehindWhenInterrupted) {
-    write("a/a.h", "inline float f(float x) { return x; }\n");
-    write("b/b.h", "inline float f(float x) { return x; }\n");
+    const std::string slow =
+        "inline float f(float x) { int i = 0; while (i < 2000000000) i += x == x ? 1 : 2; return x + i; }\n";
+    write("a/a.h", slow);
+    write("b/b.h", slow);
     std::filesystem::create_directory(root / "tmp");
     const pid_t child = fork();
     if (child == 0) {
@@ -454,7 +456,7 @@ TEST_F(Difftest, LeavesNothingBehindWhenInterrupted) {
         _exit(0);
     }
     for (int i = 0; i < 500 && std::filesystem::is_empty(root / "tmp"); ++i) usleep(10'000);
-    usleep(100'000);  // in the middle of a compilation
+    usleep(100'000);  // in the middle of a compilation, or of what it made
     kill(child, SIGINT);
     int status = 0;
     ASSERT_EQ(waitpid(child, &status, 0), child);
