@@ -359,7 +359,7 @@ private:
         Trial trial(work.built.source, work.built.target, match, {settings_.ulps}, workshop_.folder, memory,
                     {work.wide.source.program.empty() ? nullptr : &work.wide.source,
                      work.wide.target.program.empty() ? nullptr : &work.wide.target});
-        constexpr size_t kMostSlots = 16'000'000;
+        constexpr size_t kMostSlots = 20'000'000;
         const size_t width =
             std::max({size_t{1}, work.built.source.leaves.in.size(), work.built.target.leaves.in.size()});
         const size_t records = std::max<size_t>(1, std::min(settings_.inputs, kMostSlots / width));
