@@ -20,8 +20,12 @@ bool is_of_compilers(std::string_view name) {
     constexpr std::string_view kBegins[] = {"_",   "GL_",   "CL_",  "cl_",    "CUDA",  "HIP",  "SYCL", "ISPC",
                                             "MSL", "HLSL",  "SPIR", "VULKAN", "WIN",   "FP_",  "GLSL", "METAL",
                                             "OSL", "linux", "unix", "NDEBUG", "DEBUG", "SLANG"};
-    return std::any_of(std::begin(kBegins), std::end(kBegins),
-                       [&](std::string_view begin) { return name.starts_with(begin); });
+    // Of the standard library, which every compiler brings: `M_PI`, `FLT_MAX`, `DBL_EPSILON`.
+    constexpr std::string_view kEnds[] = {"_MAX", "_MIN", "_EPSILON", "_DIG"};
+    return name.starts_with("M_") ||
+           std::any_of(std::begin(kBegins), std::end(kBegins),
+                       [&](std::string_view begin) { return name.starts_with(begin); }) ||
+           std::any_of(std::begin(kEnds), std::end(kEnds), [&](std::string_view end) { return name.ends_with(end); });
 }
 
 /// `A` of `# ifdef A`, `# if A` and `# if defined ( A )`, which begin at `at`; "" for any other condition.

@@ -147,7 +147,9 @@ void OneSidedWeight::weigh(JudgedPair& pair, Side side, const NormalText& before
     if (only_concerns_unread_locals(texts.before, texts.now, dialect_) &&
         !own_names_.are_locals_in_macros(texts.before, side) && !own_names_.are_locals_in_macros(texts.now, side))
         return weaken(pair, finding, Level::Note, "it only brings or takes names that nothing reads");
-    if (only_concerns_unread_parameters(texts.before, texts.now) && !are_twins(texts.before, texts.other, dialect_))
+    if (now.kind == UnitKind::Function && only_concerns_unread_parameters(texts.before, texts.now) &&
+        !own_names_.are_locals_in_macros(texts.before, side) && !own_names_.are_locals_in_macros(texts.now, side) &&
+        !are_twins(texts.before, texts.other, dialect_))
         return weaken(pair, finding, Level::Note, "it only brings or takes parameters that it never reads");
     // What the port holds before it is given anything is its own matter; the source may have mended a fault of both.
     const bool is_own_matter = !is_contract(facts_.map.reference, side);

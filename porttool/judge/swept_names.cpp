@@ -95,6 +95,18 @@ std::vector<std::pair<size_t, size_t>> added_items(const Words& before, const Wo
     return out;
 }
 
+/// True if some added text leaves, repeats, writes to something or is a call for itself: more than to hand a name on.
+bool does_more(const Words& text, size_t first, size_t end) {
+    const auto is_statement = [&](size_t i) { return i > 0 && is_one_of(text[i - 1], {";", "{", "}", ")"}); };
+    for (size_t i = first; i < end; ++i) {
+        if (is_one_of(text[i], {"return", "break", "continue", "goto", "throw", "discard", "for", "while", "do", "=",
+                                "+=", "-=", "*=", "/=", "++", "--"}))
+            return true;
+        if (is_statement(i) && is_word_token(text[i]) && i + 1 < end && text[i + 1] == "(") return true;
+    }
+    return false;
+}
+
 /// Another function is another thing, whoever else calls it.
 bool are_no_calls(const Words& now, const std::set<std::pair<std::string, std::string>>& names) {
     for (size_t i = 0; i + 1 < now.size(); ++i)
@@ -184,6 +196,7 @@ std::vector<std::string> SweptNames::brought_names(Side side, const Words& befor
     std::vector<std::string> out;
     for (const auto& [first, end] : added_items(before, now)) {
         bool has_name = false;
+        if (does_more(now, first, end)) return {};
         for (size_t i = first; i < end; ++i) {
             if ((own.contains(now[i]) && !taken.contains(now[i])) || !is_brought(side, now[i])) continue;
             has_name = true;
@@ -203,25 +216,18 @@ bool SweptNames::is_brought(Side side, std::string_view name) {
     return brought_[side][std::string(name)] = is_new(side, std::string(name));
 }
 
-bool SweptNames::are_same_on_both(const PairTexts& texts) const {
-    if (!facts_.files) return false;
+bool SweptNames::are_same_on_both(const PairTexts& texts) {
+    // An exchange of one side alone may be of what the other calls otherwise: `fmaxf` for `fminf` beside `fmax`.
     const BySide<ExchangedPaths> sides{ExchangedPaths(texts.source_before, texts.source_now),
                                        ExchangedPaths(texts.target_before, texts.target_now)};
-    std::map<std::string, std::string> all, back;
-    bool is_any_common = false;
-    for (const Side side : kBothSides) {
-        if (sides[side].names.empty()) return false;
-        for (const auto& [before, now] : sides[side].names) {
-            if (all.emplace(before, now).first->second != now || back.emplace(now, before).first->second != before)
-                return false;
-            const bool is_common = sides[other(side)].names.contains(before);
-            is_any_common = is_any_common || is_common;
-            for (const Side one : kBothSides)
-                if (sides[one].left.contains(before) || sides[one].had.contains(now)) return false;
-            if (!is_common && is_in_code(facts_, side, before.substr(before.rfind(':') + 1))) return false;
-        }
+    if (sides.source.names.empty() || sides.source.names != sides.target.names) return false;
+    std::set<std::string> came;
+    for (const auto& [before, now] : sides.source.names) {
+        if (!came.insert(now).second) return false;
+        for (const Side side : kBothSides)
+            if (sides[side].left.contains(before) || sides[side].had.contains(now)) return false;
     }
-    return is_any_common;
+    return true;
 }
 
 bool SweptNames::is_swept_type(Side side, const Name& name) {

@@ -34,13 +34,11 @@ public:
     /// place: these names.
     std::vector<std::string> causes(Side side, const std::string& file, const Words& before, const Words& now);
 
-    /// True if both edits only give the same things the same new names, with their scopes, and what one side alone has
-    /// of them stands nowhere in that side any more.
+    /// True if both edits only give the same things the same new names, with their scopes, be it in more places of one
+    /// side.
     ///
     ///     case COARSE_AG : coarse ( A ) ;                      case amg :: AGGREGATION : coarse ( A ) ;
-    ///     case COARSE_AG : case ONE : coarse ( A ) ;           case amg :: AGGREGATION : case amg :: ONE : coarse ( A
-    ///     ) ;
-    bool are_same_on_both(const PairTexts& texts) const;
+    static bool are_same_on_both(const PairTexts& texts);
 
 private:
     using Name = std::pair<std::string, std::string>;  ///< before, now
