@@ -107,15 +107,18 @@ double weight_of_evidence(LaidEdit& laid) {
 
 }  // namespace
 
-bool is_likely_owed(LaidEdit& laid) {
-    constexpr double kLikely = -0.5;
+bool is_likely_owed(LaidEdit& laid, bool are_namesakes) {
     constexpr size_t kMeant = 12;  // words of an edit that is no slip
-    constexpr size_t kLeast = 64;  // words of a text whose likeness tells something
-    if (words_edited(laid.texts().before, laid.texts().now) <= kMeant || !laid.can_be_laid() ||
-        touches_what_counts(laid) || reorders_or_retunes_words(laid.edit()) ||
-        std::min(words_in(laid.edit().had), words_in(laid.other().has)) < kLeast)
-        return true;
-    return weight_of_evidence(laid) >= kLikely;
+    constexpr size_t kLeast = 64,
+                     kTellsNo = 16;  // words of a text whose likeness tells much, and of one where it does not
+    if (!laid.can_be_laid()) return true;
+    const size_t shorter = std::min(words_in(laid.edit().had), words_in(laid.other().has));
+    const bool is_work = words_edited(laid.texts().before, laid.texts().now) > kMeant && !touches_what_counts(laid) &&
+                         !reorders_or_retunes_words(laid.edit()) && shorter >= kLeast;
+    if (!is_work && (are_namesakes || shorter < kTellsNo)) return true;
+    constexpr double kLikely = -0.5;    // of work of somebody's own
+    constexpr double kPossible = -1.0;  // of what may be a slip, and of what is never silent
+    return weight_of_evidence(laid) >= (is_work ? kLikely : kPossible);
 }
 
 }  // namespace porttool

@@ -6,9 +6,10 @@
 
 namespace porttool {
 
-/// False of an edit of one side alone, of more than a dozen words, of which little has to do with the other side's
-/// text: it is in doubt that the other side owes it. True of words that are never silent, of the same words in another
-/// order, of numbers in the place of numbers, and of short texts, whose words have their like by chance.
-bool is_likely_owed(LaidEdit& laid);
+/// False of an edit of one side alone that has little to do with the other side's text: it is in doubt that the other
+/// side owes it. A slip, words that are never silent, the same words in another order and numbers in the place of
+/// numbers are owed by whatever bears the same name, and so are edits of short texts, whose words have their like by
+/// chance; by others unless next to nothing around the edit has its like.
+bool is_likely_owed(LaidEdit& laid, bool are_namesakes);
 
 }  // namespace porttool

@@ -22,6 +22,7 @@
 #include "porttool/judge/same_edit_beside.h"
 #include "porttool/judge/weaken.h"
 #include "porttool/language/hazards.h"
+#include "porttool/match/words.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/prelude.h"
 #include "porttool/scan/scan.h"
@@ -50,7 +51,46 @@ bool only_rewords_texts(const Words& before, const Words& now) {
     });
 }
 
+/// A unit's qualified name.
+std::string_view name_of(const UnitState& unit) { return std::string_view(unit.id).substr(unit.id.find(':') + 1); }
+
+/// What a unit is known by: an entry point, which has the name of all others, by that of its file.
+std::string_view known_name(const UnitState& unit) {
+    const std::string_view leaf = bare_leaf_of(name_of(unit));
+    return leaf == "main" ? file_stem(unit.file) : leaf;
+}
+
+/// The class, or the namespace, that a unit is in; "" for none.
+std::string_view class_of(const UnitState& unit) {
+    const std::string_view name = name_of(unit);
+    const size_t end = name.rfind("::");
+    return end == std::string_view::npos ? std::string_view() : leaf_of(name.substr(0, end));
+}
+
+/// One of a few words is never told with another.
+void doubt_edit(const JudgedPair& pair, const LaidEdit& laid, const std::string& why, Finding& finding) {
+    if (is_of_few_words(laid.texts().before, laid.texts().now))
+        weaken(pair, finding, Level::Warning, why);
+    else
+        doubt(pair, finding, why);
+}
+
 }  // namespace
+
+/// True if both units of a pair are known by one name that no class beside theirs has as well. A method that a whole
+/// family has, `Layer::forward`, is known by its class.
+bool OneSidedWeight::bear_one_name(const JudgedPair& pair) {
+    const BySide<std::string_view> names{known_name(*pair.unit.source), known_name(*pair.unit.target)};
+    if (names.source != names.target) return false;
+    if (class_of(*pair.unit.source) == class_of(*pair.unit.target)) return true;
+    const auto is_of_one_class = [&](Side side) {
+        const std::vector<const UnitState*>* bearers = own_names_.of(side, names[side]);
+        return bearers == nullptr || std::all_of(bearers->begin(), bearers->end(), [&](const UnitState* bearer) {
+                   return class_of(*bearer) == class_of(*bearers->front());
+               });
+    };
+    return is_of_one_class(Side::Source) && is_of_one_class(Side::Target);
+}
 
 /// What an edit added for some macros, where it did nothing else, neither in the unit nor in what the file declares for
 /// it, and only who builds that side asks for them; else nothing.
@@ -122,8 +162,8 @@ void OneSidedWeight::weigh(JudgedPair& pair, Side side, const NormalText& before
             return weaken(pair, finding, Level::Note, "it only derives from what is not of the project, or no longer");
         if (only_changes_fields_of_its_own(texts))
             weaken(pair, finding, Level::Note, "the two structs never had most of their fields in common");
-        else if (!is_likely_owed(laid))
-            doubt(pair, finding, "little of what it touches has its like on the other side");
+        else if (!is_likely_owed(laid, bear_one_name(pair)))
+            doubt_edit(pair, laid, "little of what it touches has its like on the other side", finding);
         return;
     }
     if (only_follows_runtime(texts.before, texts.now))
@@ -180,11 +220,13 @@ void OneSidedWeight::weigh(JudgedPair& pair, Side side, const NormalText& before
         // What is gone draws any two texts nearer that the other says in words of its own.
         const bool is_slip = only_takes(texts.before, texts.now) && (words_edited(texts.before, texts.now) < kNoSlip ||
                                                                      !are_twins(texts.now, texts.other, dialect_));
-        return weaken(
-            pair, finding, in_order && !is_slip ? Level::Note : Level::Warning,
+        const std::string why =
             there_is + (in_order                               ? " has most of it"
                         : nearing == Nearing::WithOtherMembers ? " has most of it, with another member or function"
-                                                               : " has its words, some in other places"));
+                                                               : " has its words, some in other places");
+        if (in_order && !is_slip) return weaken(pair, finding, Level::Note, why);
+        if (!is_likely_owed(laid, bear_one_name(pair))) return doubt_edit(pair, laid, why, finding);
+        return weaken(pair, finding, Level::Warning, why);
     }
     weigh_ground(pair, side, laid, finding);
 }
@@ -192,11 +234,12 @@ void OneSidedWeight::weigh(JudgedPair& pair, Side side, const NormalText& before
 /// What an edit has to do with the other side's text, where nothing else tells. What that has nothing like may be a
 /// feature that it is owed as well as a matter of this side's own: it is in doubt, and a note only where a runtime is
 /// kept house with.
-void OneSidedWeight::weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, Finding& finding) const {
+void OneSidedWeight::weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, Finding& finding) {
     const std::string there = side == Side::Source ? "the port" : "the source";
     const OffGround off = off_common_ground(laid);
     if (off == OffGround::No) {
-        if (!is_likely_owed(laid)) doubt(pair, finding, "little of what it touches has its like in " + there);
+        if (!is_likely_owed(laid, bear_one_name(pair)))
+            doubt_edit(pair, laid, "little of what it touches has its like in " + there, finding);
         return;
     }
     const bool is_upkeep = off >= OffGround::Perhaps && only_tends_runtime(laid.texts().before, laid.texts().now);

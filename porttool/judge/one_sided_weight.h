@@ -35,7 +35,8 @@ public:
 
 private:
     bool call_the_same(const std::vector<RespelledCall>& calls, Side side, const Words& there);
-    void weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, Finding& finding) const;
+    bool bear_one_name(const JudgedPair& pair);
+    void weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, Finding& finding);
 
     const Case& facts_;
     const Dialect& dialect_;

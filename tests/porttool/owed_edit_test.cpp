@@ -94,6 +94,33 @@ TEST(OwedEdit, SlipsAreNeverSilentWhateverThePortSays) {
     }
 }
 
+/// The same of the method `act` of a class `source`, as the port has it under another name.
+std::string level_of_method(const std::string& source, const std::string& port, const std::string& body,
+                            const Edit& edit, const std::string& beside = "") {
+    MemoryDisk disk;
+    disk.files = {{"/r/s/k.cpp", replaced(kSource, "void f(", "void " + source + "(") + beside},
+                  {"/r/t/k.cpp", replaced(body, " f(", " " + port + "(")}};
+    return level_in(disk, {"s/k.cpp:" + source, "t/k.cpp:" + port}, false, edit);
+}
+
+TEST(OwedEdit, SlipsBetweenOtherNamesAreOwedWhereAnythingIsAlike) {
+    for (const Edit& edit : kSlips) {
+        EXPECT_EQ(level_of_method("scale_rows", "RunPlan", kTwin, edit), "error") << edit.what;
+        EXPECT_EQ(level_of_method("scale_rows", "RunPlan", kStranger, edit), "warning") << edit.what;
+        // One name, in the class of each side.
+        EXPECT_NE(level_of_method("Fast::run", "Plain::run", kStranger, edit), edit.to.empty() ? "error" : "warning")
+            << edit.what;
+    }
+}
+
+TEST(OwedEdit, AMethodThatAWholeFamilyHasIsKnownByItsClass) {
+    const Edit number = kSlips.front();
+    const std::string another = "void Other::run(span y) {\n  y.clear();\n  y.flush(2);\n}\n";
+    EXPECT_EQ(level_of_method("Fast::run", "Plain::run", kStranger, number, another), "warning");
+    EXPECT_EQ(level_of_method("Plain::run", "Plain::run", kStranger, number, another), "error");
+    EXPECT_EQ(level_of_method("Fast::run", "Plain::run", kTwin, number, another), "error");
+}
+
 TEST(OwedEdit, LongEditsOfWhatThePortDoesInItsOwnWay) {
     const std::vector<Edit> edits = {
         {"what stands around has no like", "y.flush(rows);",
