@@ -9,8 +9,7 @@
 
 namespace porttool {
 
-FunctionsOfSide::FunctionsOfSide(const std::map<std::string, UnitState>& units, const Dialect& dialect)
-    : dialect_(dialect) {
+FunctionsOfSide::FunctionsOfSide(const UnitsById& units, const Dialect& dialect) : dialect_(dialect) {
     for (const auto& [id, unit] : units)
         if (unit.kind == UnitKind::Function) by_name_[leaf_of(unit.name)].push_back(&unit);
 }

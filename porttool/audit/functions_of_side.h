@@ -9,7 +9,7 @@
 
 #include "porttool/audit/substance.h"
 #include "porttool/language/dialect.h"
-#include "porttool/normal/unit_state.h"
+#include "porttool/normal/units_by_id.h"
 
 namespace porttool {
 
@@ -17,7 +17,7 @@ namespace porttool {
 class FunctionsOfSide {
 public:
     /// What it is given has to stay.
-    FunctionsOfSide(const std::map<std::string, UnitState>& units, const Dialect& dialect);
+    FunctionsOfSide(const UnitsById& units, const Dialect& dialect);
 
     /// The words of each function that a unit calls, as plain_word() has them. A name of many functions is left out.
     std::vector<WordsOfSide> called_by(const UnitState& unit) const;

@@ -24,7 +24,7 @@ bool same(const LockedPair& a, const LockedPair& b) {
     return a.source_prints == b.source_prints && a.target_prints == b.target_prints && a.macros == b.macros;
 }
 
-const UnitState* find_in(const std::map<std::string, UnitState>& states, const std::string& id) {
+const UnitState* find_in(const UnitsById& states, const std::string& id) {
     const auto found = states.find(id);
     return found == states.end() ? nullptr : &found->second;
 }
@@ -173,6 +173,7 @@ BaseRecord base_record(Snapshot& base, const RecordedLock& now, const States& to
         if (!out.has_map) err << "warning: " << read.error << "\nThat map is left out\n";
     }
     const FileText text = base.git.read(beside_map(project, "portmap.lock"), kLargestFile);
+    base.git.files.erase(lock_path(project));  // of many units it is large
     if (!text.error.empty()) return out;
     if (text.bytes == now.written) {
         out.has_lock = true;

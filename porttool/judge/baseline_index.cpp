@@ -111,7 +111,7 @@ private:
 }  // namespace
 
 BaselineIndex::BaselineIndex(const std::vector<LockedUnit>& lines, Side side, const std::string& set,
-                             const std::vector<const UnitState*>& units, const std::map<std::string, UnitState>& all) {
+                             const std::vector<const UnitState*>& units, const UnitsById& all) {
     Handout handout(distinct(lines, side_word(side), set), units);
     using std::optional, std::string, std::string_view;
     handout.match<IdAndPrint>([](const LockedUnit& l) { return IdAndPrint(l.id, l.prints.written); },

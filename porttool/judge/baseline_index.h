@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
 #include <unordered_map>
 #include <vector>
 
-#include "porttool/normal/unit_state.h"
+#include "porttool/normal/units_by_id.h"
 #include "porttool/read/lock_file.h"
 #include "porttool/scan/side.h"
 
@@ -21,7 +20,7 @@ public:
     /// `set`: the port that they lack; "" where there is but one. `units`: those of the side that no pair leads to;
     /// `all`: all of the side, by id. All must outlive it.
     BaselineIndex(const std::vector<LockedUnit>& lines, Side side, const std::string& set,
-                  const std::vector<const UnitState*>& units, const std::map<std::string, UnitState>& all);
+                  const std::vector<const UnitState*>& units, const UnitsById& all);
 
     /// The line, or nullptr.
     const LockedUnit* find(const UnitState& unit) const;

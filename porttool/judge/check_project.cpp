@@ -101,6 +101,7 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
     if (!base.note.empty()) place.err << base.note << "\n";
     RecordedLock now = lock_if_readable(checked, place.err);
     const BaseRecord then = base_record(base, now, checked.states, place.err);
+    const bool is_readable = !std::exchange(now.written, {}).empty();  // of many units it is large
     const LockFile& then_lock = then.lock(now);
     const LockFile& in_force = choice.trusted_map ? then_lock : now.lock;
     BaseLock in_step = base_lock(base, then_lock, in_force, checked.states, [&](Print print) {
@@ -123,7 +124,7 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
     checked.base_states = std::move(base.states);
     if (choice.trusted_map && then.has_lock)
         checked.in_project = then_lock;
-    else if (!choice.trusted_map && checked.recorded && !now.written.empty())
+    else if (!choice.trusted_map && checked.recorded && is_readable)
         checked.in_project = std::move(now.lock);
     return brought;
 }
@@ -263,6 +264,8 @@ CheckedProject check_project(const CheckChoice& choice, Workplace& place, const 
     if (!choice.base.empty()) list_moved(checked.judgement, brought);
     if (choice.base.empty() && !checked.recorded) checked.judgement.findings.clear();
     checked.judgement.brought_in = std::move(brought);
+    checked.base_states = {};  // what was asked for only while it was judged, and is as large as the project
+    checked.new_words = {};
     return checked;
 }
 

@@ -34,7 +34,12 @@ std::string argument(const std::string& id, const Finding& finding) {
 }
 
 FindingList::FindingList(const MapFile& map) : map_(map), sets_(map) {
-    for (const MapPair& pair : map.pairs) ports_of_[pair.source] += pair.targets.size();
+    size_t pairs = 0;
+    for (const MapPair& pair : map.pairs) {
+        ports_of_[pair.source] += pair.targets.size();
+        pairs += pair.targets.size();
+    }
+    findings_.reserve(pairs);  // to be moved while they grow takes as much again
 }
 
 Level FindingList::level_of(Rule rule) const { return level_in(rule, map_); }

@@ -47,7 +47,7 @@ BySide<std::map<std::string, std::set<std::string>>> paired_units(const MapFile&
     return out;
 }
 
-std::vector<LockedUnit> baseline_of(const std::map<std::string, UnitState>& units, Side side,
+std::vector<LockedUnit> baseline_of(const UnitsById& units, Side side,
                                     const std::map<std::string, std::set<std::string>>& paired,
                                     const TargetSets& sets) {
     std::vector<LockedUnit> out;

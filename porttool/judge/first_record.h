@@ -23,7 +23,7 @@ LockFile first_lock(const MapFile& map, const States& states);
 
 /// The lines of the baseline for the units of a side that is the contract. `paired`: of those in pairs, by id, the
 /// ports that they are paired with.
-std::vector<LockedUnit> baseline_of(const std::map<std::string, UnitState>& units, Side side,
+std::vector<LockedUnit> baseline_of(const UnitsById& units, Side side,
                                     const std::map<std::string, std::set<std::string>>& paired, const TargetSets& sets);
 
 /// The units that a map pairs, by id, with the ports that they are paired with.

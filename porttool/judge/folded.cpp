@@ -395,8 +395,7 @@ void fold_findings(FindingList& findings, const MapFile& map) {
         tell_with(*group.front(), std::span(group).subspan(1), "more pairs have edits of the same words");
 }
 
-void ease_orphans(FindingList& findings, const std::vector<JudgedPair>& pairs,
-                  const std::map<std::string, UnitState>& ports) {
+void ease_orphans(FindingList& findings, const std::vector<JudgedPair>& pairs, const UnitsById& ports) {
     std::map<std::string, std::string> heirs;  // ports that something else is the source of
     const auto all = findings.from(0);
     if (std::none_of(all.begin(), all.end(), [](const Finding& finding) { return finding.rule == Rule::Orphaned; }))

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -27,7 +26,6 @@ void fold_findings(FindingList& findings, const MapFile& map);
 
 /// A port whose source is gone is a note where another source of it is there, or a new unit that looks like it and is
 /// told for itself: then nothing is left over; and where ports that have their sources use it, so that it cannot go.
-void ease_orphans(FindingList& findings, const std::vector<JudgedPair>& pairs,
-                  const std::map<std::string, UnitState>& ports);
+void ease_orphans(FindingList& findings, const std::vector<JudgedPair>& pairs, const UnitsById& ports);
 
 }  // namespace porttool

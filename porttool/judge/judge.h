@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -33,8 +32,8 @@ using SameCode = std::function<std::string(const UnitState& unit, Side side, con
 struct Case {
     const MapFile& map;
     const LockFile& lock;
-    const std::map<std::string, UnitState>& source;
-    const std::map<std::string, UnitState>& target;
+    const UnitsById& source;
+    const UnitsById& target;
     const std::vector<SkippedFile>& skipped;
     std::function<NormalText(Print)> base_text;        ///< the text of a print, or an empty one
     std::string today;                                 ///< YYYY-MM-DD
@@ -47,10 +46,10 @@ struct Case {
     const RunEvidence* evidence = nullptr;  ///< where programs ran
     /// With a merge base: pairs, by their ids, of which one side was gone there already.
     const std::set<std::pair<std::string, std::string>>* gone_before = nullptr;
-    BySide<const std::map<std::string, UnitState>*> at_base = {};  ///< with a merge base: the units there
+    BySide<const UnitsById*> at_base = {};        ///< with a merge base: the units there
     const BySide<NewWords>* new_words = nullptr;  ///< ... and what is said of words since, outside of units
 
-    const std::map<std::string, UnitState>& units(Side side) const { return side == Side::Source ? source : target; }
+    const UnitsById& units(Side side) const { return side == Side::Source ? source : target; }
 };
 
 /// Holds today's units against the lock. Reads nothing but the case.

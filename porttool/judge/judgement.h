@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "porttool/judge/renamed_names.h"
-#include "porttool/normal/unit_state.h"
+#include "porttool/normal/units_by_id.h"
 #include "porttool/read/evidence_file.h"
 #include "porttool/read/lock_file.h"
 #include "porttool/read/map_file.h"
@@ -109,8 +109,9 @@ struct JudgedPair {
 struct LoneUnit {
     Side side = Side::Source;
     const UnitState* unit = nullptr;
-    std::optional<std::string> excuse;  ///< why it needs no counterpart: the baseline, or what a person said
-    std::optional<size_t> line;         ///< of the lock's baseline: the one that excuses it
+    /// Why it needs no counterpart: the baseline, or what a person said; nullptr for no excuse. Many share one.
+    std::shared_ptr<const std::string> excuse;
+    std::optional<size_t> line;  ///< of the lock's baseline: the one that excuses it
 };
 
 /// The part of the gate that a change touches, in the order of the names.

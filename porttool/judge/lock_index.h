@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "porttool/normal/unit_state.h"
+#include "porttool/normal/units_by_id.h"
 #include "porttool/read/lock_file.h"
 #include "porttool/read/lock_lines.h"
 #include "porttool/read/map_file.h"
@@ -25,7 +25,7 @@ struct FoundLock {
 /// longer names holds for two units whose texts are the recorded ones.
 class LockIndex {
 public:
-    using Units = std::map<std::string, UnitState>;
+    using Units = UnitsById;
     LockIndex(const MapFile& map, const LockFile& lock, const Units& source, const Units& target);
 
     FoundLock find(const std::string& source, const std::string& target) const;

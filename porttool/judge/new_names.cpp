@@ -28,7 +28,7 @@ bool is_macro(const UnitState& unit) {
 /// The signatures of units by their leaves, up to 64 of each.
 class Signatures {
 public:
-    explicit Signatures(const std::map<std::string, UnitState>& units) {
+    explicit Signatures(const UnitsById& units) {
         for (const auto& [id, unit] : units)
             if (!is_macro(unit)) units_.emplace(bare_leaf_of(unit.name), &unit);
     }
@@ -107,7 +107,7 @@ bool is_head(const NewWord& one) {
 }
 
 /// A unit at the merge base: under its id, or, where others of its name came before it, one that says the same.
-const UnitState* as_it_was(const std::map<std::string, UnitState>& then, const UnitState& unit) {
+const UnitState* as_it_was(const UnitsById& then, const UnitState& unit) {
     const auto known = then.find(unit.id);
     if (known != then.end() && known->second.prints.written == unit.prints.written) return &known->second;
     const std::string first = unit.id.substr(0, unit.id.rfind('#'));
@@ -185,7 +185,7 @@ const NewNames::Fresh& NewNames::fresh(Side side) {
 
 /// What a word may mean now by units that are new: one under a name that no unit had, or one beside those that had it.
 void NewNames::add_units(Side side, Fresh& out) const {
-    const std::map<std::string, UnitState>& then = *facts_.at_base[side];
+    const UnitsById& then = *facts_.at_base[side];
     std::vector<const UnitState*> fresh;
     for (const auto& [id, unit] : facts_.units(side)) {
         if (is_macro(unit)) continue;

@@ -9,14 +9,14 @@
 #include <string_view>
 #include <vector>
 
-#include "porttool/normal/unit_state.h"
+#include "porttool/normal/units_by_id.h"
 #include "porttool/snapshot/side_files.h"
 
 namespace porttool {
 
 /// The units of one side, by how they stand to the other.
 struct SideUnits {
-    const std::map<std::string, UnitState>& all;
+    const UnitsById& all;
     const std::set<const UnitState*>& lone;         ///< that no pair leads to
     const std::set<const UnitState*>& fresh;        ///< of these, new
     const std::vector<const UnitState*>& unported;  ///< of these, without a counterpart

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "porttool/judge/new_words.h"
 
+#include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -26,39 +27,55 @@ public:
         for (size_t i = 0; i < now_.size(); ++i) note_opened(now_.text(i), out.opened);
         if (!says_something()) return out;
         for (size_t i = 0; i < then_.size(); ++i)
-            for (const DeclaredWord& one : declared_words(then_.scanned(i))) {
-                const std::string word(word_of(then_.scanned(i), one));
+            for (const SaidThen& one : said_then(i)) {
                 if (one.kind == Kind::Brought || one.kind == Kind::Opened)
-                    out.brought_before.emplace(then_.path(i), word);
+                    out.brought_before.emplace(then_.path(i), one.word);
                 ++said_[one.print];
-                if (one.kind != Kind::Opened && one.kind != Kind::Macro) known_.insert(word);
+                if (one.kind != Kind::Opened && one.kind != Kind::Macro) known_.insert(one.word);
             }
         for (size_t i = 0; i < now_.size(); ++i)
-            for (const DeclaredWord& one : declared_words(now_.scanned(i))) {
-                if (one.kind == Kind::Opened) out.opened.emplace(word_of(now_.scanned(i), one));
-                --said_[one.print];
-            }
+            now_.visit_scanned(i, [&](const ScannedFile& file) {
+                for (const DeclaredWord& one : declared_words(file)) {
+                    if (one.kind == Kind::Opened) out.opened.emplace(word_of(file, one));
+                    --said_[one.print];
+                }
+            });
         for (const size_t i : changed_) add_new(i, out);
         return out;
     }
 
 private:
+    struct SaidThen {
+        Kind kind;
+        Print print;
+        std::string word;
+    };
+
+    /// What a file said at the merge base, for which it is scanned once.
+    const std::vector<SaidThen>& said_then(size_t i) {
+        const auto [known, is_new] = said_then_.try_emplace(i);
+        if (is_new)
+            then_.visit_scanned(i, [&said = known->second](const ScannedFile& file) {
+                for (const DeclaredWord& one : declared_words(file))
+                    said.push_back({one.kind, one.print, std::string(word_of(file, one))});
+            });
+        return known->second;
+    }
+
     bool is_same(size_t now, size_t then) const { return now_.text(now) == then_.text(then); }
 
     /// True if a file that changed says anything of a word but by a macro, which is told of its own unit's name alone.
     bool says_something() {
-        const auto of = [](const ScannedFile& file) {
-            std::unordered_map<Print, int64_t> out;
-            for (const DeclaredWord& one : declared_words(file)) ++out[one.print];
-            return out;
+        const auto says_other = [&](size_t i) {
+            std::unordered_map<Print, int64_t> more;  // than then
+            now_.visit_scanned(i, [&](const ScannedFile& file) {
+                for (const DeclaredWord& one : declared_words(file)) ++more[one.print];
+            });
+            if (const auto before = then_by_path_.find(now_.path(i)); before != then_by_path_.end())
+                for (const SaidThen& one : said_then(before->second)) --more[one.print];
+            return std::any_of(more.begin(), more.end(), [](const auto& one) { return one.second != 0; });
         };
-        for (const size_t i : changed_) {
-            const auto before = then_by_path_.find(now_.path(i));
-            const auto now = of(now_.scanned(i));
-            if (now != (before == then_by_path_.end() ? decltype(now)() : of(then_.scanned(before->second))))
-                return true;
-        }
-        return false;
+        return std::any_of(changed_.begin(), changed_.end(), says_other);
     }
 
     /// The last names behind `using namespace` and `inline namespace`, wherever these stand.
@@ -83,7 +100,7 @@ private:
         const ScannedFile& file = now_.scanned(i);
         std::unordered_set<Print> here;  // what the file said already
         if (const auto before = then_by_path_.find(file.path); before != then_by_path_.end())
-            for (const DeclaredWord& one : declared_words(then_.scanned(before->second))) here.insert(one.print);
+            for (const SaidThen& one : said_then(before->second)) here.insert(one.print);
         for (DeclaredWord& one : declared_words(file)) {
             if (said_[one.print] >= 0 || here.contains(one.print)) continue;
             const bool is_known = known_.contains(std::string(word_of(file, one)));
@@ -94,7 +111,8 @@ private:
     const FilesOfSide &now_, &then_;
     std::unordered_map<std::string_view, size_t> then_by_path_;
     std::vector<size_t> changed_;
-    std::unordered_map<Print, int64_t> said_;  ///< how often then, less how often now
+    std::unordered_map<size_t, std::vector<SaidThen>> said_then_;  ///< by file
+    std::unordered_map<Print, int64_t> said_;                      ///< how often then, less how often now
     std::unordered_set<std::string> known_;
 };
 

@@ -21,7 +21,7 @@ void RenamedNames::note(const std::string& id, const Resolved& unit) {
     if (was != is && is_word_token(was) && is_word_token(is)) names_.emplace(std::move(was), std::move(is));
 }
 
-void RenamedNames::drop_taken(const std::map<std::string, UnitState>& units) {
+void RenamedNames::drop_taken(const UnitsById& units) {
     if (names_.empty()) return;
     for (const auto& [id, unit] : units) names_.erase(name_in_calls(id));
 }

@@ -8,6 +8,7 @@
 
 #include "porttool/judge/resolve.h"
 #include "porttool/normal/normal_text.h"
+#include "porttool/normal/units_by_id.h"
 
 namespace porttool {
 
@@ -18,7 +19,7 @@ public:
     /// Takes a unit that a recorded id leads to today.
     void note(const std::string& id, const Resolved& unit);
     /// Drops what another unit of the side is called today: there the old name means something else.
-    void drop_taken(const std::map<std::string, UnitState>& units);
+    void drop_taken(const UnitsById& units);
 
     /// A text from before in the names of today.
     NormalText updated(NormalText before) const;

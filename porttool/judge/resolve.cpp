@@ -53,7 +53,7 @@ using Key = std::function<std::string(const UnitState&)>;
 
 }  // namespace
 
-Resolver::Resolver(const std::map<std::string, UnitState>& units, const std::vector<NamedUnit>& named,
+Resolver::Resolver(const UnitsById& units, const std::vector<NamedUnit>& named,
                    const std::function<NormalText(Print)>& base_text)
     : units_(units), base_text_(base_text) {
     std::unordered_map<std::string_view, std::vector<const UnitState*>> variants;

@@ -3,13 +3,12 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
-#include "porttool/normal/unit_state.h"
+#include "porttool/normal/units_by_id.h"
 #include "porttool/scan/scan.h"
 
 namespace porttool {
@@ -35,7 +34,7 @@ struct NamedUnit {
 class Resolver {
 public:
     /// `base_text` gives the text behind a fingerprint, or an empty one.
-    Resolver(const std::map<std::string, UnitState>& units, const std::vector<NamedUnit>& named,
+    Resolver(const UnitsById& units, const std::vector<NamedUnit>& named,
              const std::function<NormalText(Print)>& base_text);
 
     Resolved find(const std::string& id) const;
@@ -52,7 +51,7 @@ private:
     void give(const std::string& id, const UnitState& unit, bool elsewhere);
     bool is_free(const UnitState& unit) const { return !taken(unit) && !named_.contains(unit.id); }
 
-    const std::map<std::string, UnitState>& units_;
+    const UnitsById& units_;
     const std::function<NormalText(Print)>& base_text_;
     std::unordered_set<std::string> named_;
     std::unordered_map<std::string, Resolved> found_;

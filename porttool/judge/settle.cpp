@@ -182,7 +182,7 @@ void follow_baseline(LockFile& lock, const Judgement& judgement) {
 
 bool is_of_new_unit(const Finding& finding) { return finding.rule == Rule::Unported || finding.rule == Rule::Unpaired; }
 
-void accept_unwatched(LockFile& lock, const Judgement& judgement, const BySide<std::map<std::string, UnitState>>& units,
+void accept_unwatched(LockFile& lock, const Judgement& judgement, const BySide<UnitsById>& units,
                       const std::string& reason) {
     for (LockedUnit& line : lock.baseline) {
         const auto& side = units[line.side == side_word(Side::Source) ? Side::Source : Side::Target];

@@ -3,7 +3,6 @@
 // What accept, defer and ignore do to the lock.
 #pragma once
 
-#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -64,7 +63,7 @@ void follow_baseline(LockFile& lock, const Judgement& judgement);
 bool is_of_new_unit(const Finding& finding);
 
 /// Takes every unit that has such a finding into the baseline, and every edited one of the baseline as it is now.
-void accept_unwatched(LockFile& lock, const Judgement& judgement, const BySide<std::map<std::string, UnitState>>& units,
+void accept_unwatched(LockFile& lock, const Judgement& judgement, const BySide<UnitsById>& units,
                       const std::string& reason);
 
 /// Forgets a pair that `map` no longer names. Units that stand in no other go back to the baseline.

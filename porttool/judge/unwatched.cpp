@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <unordered_map>
 
 #include "porttool/compare/compare_pair.h"
 #include "porttool/judge/baseline_index.h"
@@ -46,7 +47,7 @@ public:
           shared_files_(shared_files) {}
 
     /// Adds to `lone`, and to `changed` those that are new or edited.
-    void run(Judgement& out, std::map<const UnitState*, Unwatched>& units) {
+    void run(Judgement& out, std::unordered_map<const UnitState*, Unwatched>& units) {
         find_units(out.pairs);
         const BaselineIndex baseline(facts_.lock.baseline, side_, set_, units_, facts_.units(side_));
         std::vector<const UnitState*> fresh;
@@ -55,6 +56,7 @@ public:
         const Counterparts counterparts = find_counterparts(facts_, out.pairs, side_, sets_, set_, fresh);
         find_told(fresh, counterparts);
         if (out.lone.empty()) out.lone.reserve(units_.size());
+        const auto of_baseline = std::make_shared<const std::string>("had no port when the baseline was taken");
         for (const UnitState* unit : units_) {
             const LockedUnit* line = baseline.find(*unit);
             const std::optional<std::string> said = judge_unit(*unit, line, counterparts);
@@ -63,8 +65,9 @@ public:
                 counted.unpaired = true;
                 counted.changed = counted.changed || line == nullptr || is_edited(*line, *unit);
             }
-            LoneUnit lone{side_, unit, said, std::nullopt};
-            if (!said && line != nullptr) lone.excuse = "had no port when the baseline was taken";
+            LoneUnit lone{side_, unit, nullptr, std::nullopt};
+            if (said) lone.excuse = std::make_shared<const std::string>(*said);
+            if (!said && line != nullptr) lone.excuse = of_baseline;
             if (line != nullptr) lone.line = static_cast<size_t>(line - facts_.lock.baseline.data());
             out.lone.push_back(std::move(lone));
         }
@@ -222,7 +225,7 @@ private:
 void find_unwatched(const Case& facts, SharedFiles& shared_files, FindingList& findings, Verdicts& verdicts,
                     Judgement& out) {
     const TargetSets sets(facts.map);
-    std::map<const UnitState*, Unwatched> units;  // each once, whatever ports lack it
+    std::unordered_map<const UnitState*, Unwatched> units;  // each once, whatever ports lack it
     for (const Side side : kBothSides) {
         if (!is_contract(facts.map.reference, side)) continue;
         for (const auto& [id, unit] : facts.units(side)) out.summary.units += unit.kind != UnitKind::File ? 1 : 0;

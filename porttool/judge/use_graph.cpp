@@ -21,7 +21,7 @@ std::string_view stem_of_path(std::string_view path) {
 
 }  // namespace
 
-UseGraph::UseGraph(const std::map<std::string, UnitState>& units) {
+UseGraph::UseGraph(const UnitsById& units) {
     for (const auto& [id, unit] : units) {
         units_.push_back(&unit);
         by_file_[unit.file].push_back(&unit);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "porttool/normal/unit_state.h"
+#include "porttool/normal/units_by_id.h"
 
 namespace porttool {
 
@@ -15,7 +15,7 @@ namespace porttool {
 class UseGraph {
 public:
     /// `units` must outlive it.
-    explicit UseGraph(const std::map<std::string, UnitState>& units);
+    explicit UseGraph(const UnitsById& units);
 
     /// A unit with a number of the caller's.
     struct Marked {

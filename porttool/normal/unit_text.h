@@ -23,21 +23,25 @@ public:
 };
 
 /// The normal text of a unit: at hand, or, where all that is known of it is what a check mostly needs, still with its
-/// source. Reads as the text itself.
+/// source. Reads as the text itself. Kept small, as a file can have half a million units; copies share the text.
 class UnitText {
 public:
     UnitText() = default;
-    UnitText(NormalText text) : own_(std::move(text)) {}
+    UnitText(NormalText text) : words_(static_cast<uint32_t>(text.size())) {
+        if (words_ != 0) source_ = std::make_shared<const OwnText>(std::move(text));
+    }
     /// A text of `words` words.
     UnitText(std::shared_ptr<const TextSource> source, uint32_t unit, uint32_t words)
         : source_(std::move(source)), unit_(unit), words_(words) {}
 
-    /// Hands the text over; nothing is left of it here.
-    NormalText take() { return source_ == nullptr ? std::move(own_) : source_->text(unit_); }
-    const NormalText& get() const { return source_ == nullptr ? own_ : source_->text(unit_); }
+    const NormalText& get() const {
+        static const NormalText none;
+        if (source_ == nullptr) return none;
+        return is_own() ? own() : source_->text(unit_);
+    }
     operator const NormalText&() const { return get(); }
 
-    size_t size() const { return source_ == nullptr ? own_.size() : words_; }
+    size_t size() const { return words_; }
     bool empty() const { return size() == 0; }
     std::string_view operator[](size_t i) const { return get()[i]; }
     Words words() const { return get().words(); }
@@ -47,17 +51,37 @@ public:
     /// source for it.
     template <class Visit>
     void each_name(const Visit& visit) const {
-        if (source_ != nullptr) return source_->each_name(unit_, visit);
-        for (size_t i = 0; i < own_.size(); ++i)
-            if (const std::string_view word = own_[i]; is_word_token(word)) visit(word);
+        if (source_ == nullptr) return;
+        if (!is_own()) return source_->each_name(unit_, visit);
+        each_name_of(own(), visit);
     }
 
     bool operator==(const UnitText& other) const { return get() == other.get(); }
 
 private:
-    NormalText own_;
+    static constexpr uint32_t kOwn = UINT32_MAX;
+
+    template <class Visit>
+    static void each_name_of(const NormalText& text, const Visit& visit) {
+        for (size_t i = 0; i < text.size(); ++i)
+            if (const std::string_view word = text[i]; is_word_token(word)) visit(word);
+    }
+
+    /// A text at hand.
+    struct OwnText final : TextSource {
+        explicit OwnText(NormalText text) : at_hand(std::move(text)) {}
+        const NormalText& text(uint32_t /*unit*/) const override { return at_hand; }
+        void each_name(uint32_t /*unit*/, const std::function<void(std::string_view)>& visit) const override {
+            each_name_of(at_hand, visit);
+        }
+        NormalText at_hand;
+    };
+
+    bool is_own() const { return unit_ == kOwn; }
+    const NormalText& own() const { return static_cast<const OwnText&>(*source_).at_hand; }
+
     std::shared_ptr<const TextSource> source_;
-    uint32_t unit_ = 0, words_ = 0;
+    uint32_t unit_ = kOwn, words_ = 0;
 };
 
 }  // namespace porttool

@@ -120,8 +120,8 @@ MoreFields more_of(const Fields& f, size_t at) {
 }
 
 std::string taken(MoreFields& more, const std::string& name, const std::string& otherwise = {}) {
-    const auto node = more.extract(name);
-    return node.empty() || node.mapped().empty() ? otherwise : node.mapped();
+    std::string value = more.take(name);
+    return value.empty() ? otherwise : value;
 }
 
 LedgerEntry ledger_entry(Verdict verdict, const Fields& f) {

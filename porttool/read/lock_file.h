@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,10 +19,47 @@ namespace porttool {
 
 /// The normal form of texts, and the numbering of locals in it, that prints are of. Another number for another form: a
 /// lock of an older one is read anew from portmap.base/, one of a newer one is refused.
-inline constexpr int kNormalForm = 3;
+inline constexpr int kNormalForm = 4;
 
-/// What later versions of porttool keep beside a line's own fields: `name=value`, carried along unread.
-using MoreFields = std::map<std::string, std::string>;
+/// What later versions of porttool keep beside a line's own fields: `name=value`, carried along unread. A map of which
+/// an empty one is small, as nearly all are.
+class MoreFields {
+    using Fields = std::map<std::string, std::string>;
+
+public:
+    MoreFields() = default;
+    MoreFields(const MoreFields& other) : fields_(other.empty() ? nullptr : std::make_unique<Fields>(*other.fields_)) {}
+    MoreFields(MoreFields&&) noexcept = default;
+    MoreFields& operator=(const MoreFields& other) { return *this = MoreFields(other); }
+    MoreFields& operator=(MoreFields&&) noexcept = default;
+    ~MoreFields() = default;
+
+    bool empty() const { return fields_ == nullptr || fields_->empty(); }
+    Fields::const_iterator begin() const { return get().begin(); }
+    Fields::const_iterator end() const { return get().end(); }
+    Fields::const_iterator find(const std::string& name) const { return get().find(name); }
+    std::string& operator[](const std::string& name) {
+        if (fields_ == nullptr) fields_ = std::make_unique<Fields>();
+        return (*fields_)[name];
+    }
+    void erase(const std::string& name) { take(name); }
+    /// Takes a field out; "" if there is none.
+    std::string take(const std::string& name) {
+        if (fields_ == nullptr) return {};
+        auto node = fields_->extract(name);
+        if (fields_->empty()) fields_ = nullptr;
+        return node.empty() ? std::string() : std::move(node.mapped());
+    }
+    bool operator==(const MoreFields& other) const { return get() == other.get(); }
+
+private:
+    const Fields& get() const {
+        static const Fields none;
+        return fields_ == nullptr ? none : *fields_;
+    }
+
+    std::unique_ptr<Fields> fields_;
+};
 
 /// The state of a pair whose texts somebody, or something, has compared.
 inline constexpr const char* kVerified = "verified";

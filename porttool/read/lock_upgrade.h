@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "porttool/normal/unit_state.h"
+#include "porttool/normal/units_by_id.h"
 #include "porttool/read/lock_file.h"
 
 namespace porttool {
@@ -25,7 +25,7 @@ struct UpgradedLock {
 /// for an old print, or "". `today` are the units as they are now: where a text is still the recorded one, its prints
 /// are known. A pair's text that is nowhere is an error; an old verdict on a text that is nowhere holds no longer.
 UpgradedLock upgraded(LockFile lock, const std::function<std::string(Print print)>& text_of,
-                      const std::vector<const std::map<std::string, UnitState>*>& today);
+                      const std::vector<const UnitsById*>& today);
 
 /// The text of a file of portmap.base/ if it is the one that its name says, as this normal form names it; else empty.
 NormalText text_of_print(Print print, const std::string& recorded, int normal_form);

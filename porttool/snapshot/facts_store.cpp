@@ -81,6 +81,7 @@ KnownSide FactsStore::know(std::vector<SourceText> files, const std::set<std::st
     open();
     KnownSide side(files.size());
     std::vector<Entry> entries(files.size());
+    std::vector<std::shared_ptr<const std::string>> owners(files.size());  // of what is not in kept_
     const auto is_whole = [&](const SourceText& source) { return named.contains(source.path + ":@file"); };
     in_parallel(files.size(), files.size() >= kFilesWorthThreads, [&](size_t i) {
         SourceText& source = files[i];
@@ -104,6 +105,7 @@ KnownSide FactsStore::know(std::vector<SourceText> files, const std::set<std::st
         const auto bytes = std::make_shared<const std::string>(FileFacts::pack(scanned, states));
         std::optional<FileFacts> facts = FileFacts::read(bytes, *bytes);
         entries[fresh[at]].bytes = facts->bytes();
+        owners[fresh[at]] = bytes;
         entries[fresh[at]].is_new = true;
         const uint64_t takes = bytes_of(scanned, states);
         const bool stay_scanned = scanned_bytes.fetch_add(takes) + takes <= kMostScannedBytes;
@@ -114,7 +116,7 @@ KnownSide FactsStore::know(std::vector<SourceText> files, const std::set<std::st
                 : std::make_shared<const KnownFile>(std::move(source.path), std::move(source.text), std::move(*facts));
     });
     known_.insert(known_.end(), entries.begin(), entries.end());
-    files_.insert(files_.end(), side.begin(), side.end());
+    owners_.insert(owners_.end(), owners.begin(), owners.end());
     return side;
 }
 
@@ -138,6 +140,10 @@ void FactsStore::save() {
         std::unique(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.hash == b.hash; }),
         entries.end());
     std::string out(kFirstLine);
+    uint64_t size = out.size() + request_.size() + (5 + 2 * entries.size()) * sizeof(uint64_t);
+    for (const Entry& entry : entries) size += entry.bytes.size();
+    if (size > kMostBytes) return;
+    out.reserve(size);
     ByteWriter writer(out);
     for (const uint64_t half : key_) writer.number(half);
     writer.text(request_);

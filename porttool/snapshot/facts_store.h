@@ -55,7 +55,7 @@ private:
     std::shared_ptr<const std::string> kept_;               ///< the bytes of the cache's file
     std::unordered_map<uint64_t, std::string_view> found_;  ///< in kept_, by hash
     std::vector<Entry> known_;
-    KnownSide files_;  ///< that own the bytes of known_
+    std::vector<std::shared_ptr<const std::string>> owners_;  ///< of the bytes of known_
 };
 
 }  // namespace porttool

@@ -14,15 +14,15 @@ namespace {
 
 void pack_units(ByteWriter& out, const std::vector<UnitState>& states) {
     TextNumbers numbers;
-    std::vector<std::vector<uint32_t>> of_units;
-    std::vector<size_t> last_of;  // the last unit that has a name, counted from 1
-    for (const UnitState& state : states) {
-        std::vector<uint32_t>& names = of_units.emplace_back();
-        state.text.each_name([&](std::string_view name) {
+    std::vector<uint32_t> names, ends;  // of all units, and where those of each end
+    std::vector<size_t> last_of;        // the last unit that has a name, counted from 1
+    for (size_t i = 0; i < states.size(); ++i) {
+        states[i].text.each_name([&](std::string_view name) {
             const auto number = static_cast<uint32_t>(numbers.number(name));
             if (number >= last_of.size()) last_of.resize(number + size_t{1});
-            if (std::exchange(last_of[number], of_units.size()) != of_units.size()) names.push_back(number);
+            if (std::exchange(last_of[number], i + 1) != i + 1) names.push_back(number);
         });
+        ends.push_back(static_cast<uint32_t>(names.size()));
     }
     out.number(static_cast<uint32_t>(numbers.size()));
     for (uint32_t i = 0; i < numbers.size(); ++i) out.text(numbers.text(i));
@@ -36,8 +36,9 @@ void pack_units(ByteWriter& out, const std::vector<UnitState>& states) {
         for (const Print print : {state.prints.written, state.prints.renamed, state.prints.blanked})
             out.number(print.bits());
         out.number(static_cast<uint32_t>(state.text.size()));
-        out.number(static_cast<uint32_t>(of_units[i].size()));
-        for (const uint32_t name : of_units[i]) out.number(name);
+        const uint32_t first = i == 0 ? 0 : ends[i - 1];
+        out.number(ends[i] - first);
+        for (uint32_t at = first; at < ends[i]; ++at) out.number(names[at]);
     }
 }
 
@@ -65,24 +66,47 @@ uint32_t count(ByteReader& in, size_t least_bytes) {
     return in.sound() ? count : 0;
 }
 
-std::vector<KnownUnit> read_units(ByteReader& in, size_t names) {
-    std::vector<KnownUnit> units(count(in, 8 * sizeof(uint32_t)));
-    for (KnownUnit& unit : units) {
-        unit.name = in.text();
-        unit.kind = in.number<UnitKind>();
-        if (unit.kind > UnitKind::File) in.take(in.left() + uint64_t{1});
-        unit.start_line = in.number<uint32_t>();
-        unit.end_line = in.number<uint32_t>();
-        for (Print* print : {&unit.prints.written, &unit.prints.renamed, &unit.prints.blanked})
-            *print = Print(in.number<uint64_t>());
-        unit.words = in.number<uint32_t>();
-        unit.names.resize(count(in, sizeof(uint32_t)));
-        for (uint32_t& name : unit.names) {
-            name = in.number<uint32_t>();
-            if (name >= names) in.take(in.left() + uint64_t{1});
-        }
+KnownUnit read_unit(ByteReader& in) {
+    KnownUnit unit;
+    unit.name = in.text();
+    unit.kind = in.number<UnitKind>();
+    if (unit.kind > UnitKind::File) in.take(in.left() + uint64_t{1});
+    unit.start_line = in.number<uint32_t>();
+    unit.end_line = in.number<uint32_t>();
+    for (Print* print : {&unit.prints.written, &unit.prints.renamed, &unit.prints.blanked})
+        *print = Print(in.number<uint64_t>());
+    unit.words = in.number<uint32_t>();
+    return unit;
+}
+
+/// Passes the units, which have places of so many names. Returns where each begins.
+std::vector<uint32_t> places_of_units(ByteReader& in, std::string_view bytes, size_t names) {
+    std::vector<uint32_t> units(count(in, 8 * sizeof(uint32_t)));
+    for (uint32_t& unit : units) {
+        unit = static_cast<uint32_t>(bytes.size() - in.left());
+        read_unit(in);
+        for (uint32_t left = count(in, sizeof(uint32_t)); left > 0; --left)
+            if (in.number<uint32_t>() >= names) in.take(in.left() + uint64_t{1});
     }
     return units;
+}
+
+void pass_macros(ByteReader& in) {
+    for (uint32_t left = count(in, 2 * sizeof(uint64_t)); left > 0; --left) {
+        in.text();
+        in.text();
+        in.number<uint32_t>();
+    }
+}
+
+std::vector<MacroLine> read_macros(ByteReader& in) {
+    std::vector<MacroLine> macros(count(in, 2 * sizeof(uint64_t)));
+    for (MacroLine& line : macros) {
+        line.word = in.text();
+        line.text = in.text();
+        line.line = in.number<uint32_t>();
+    }
+    return macros;
 }
 
 std::vector<Suppression> read_suppressions(ByteReader& in) {
@@ -139,22 +163,35 @@ std::optional<FileFacts> FileFacts::read(std::shared_ptr<const std::string> owne
     FileFacts facts;
     facts.owner_ = std::move(owner);
     facts.bytes_ = bytes;
+    if (bytes.size() > UINT32_MAX) return std::nullopt;  // no file that is read has so much
     ByteReader in(bytes);
     facts.tokens_ = in.number<uint64_t>();
     if (const auto line = in.number<uint32_t>(); line > 0) facts.unfinished_merge_ = line;
     facts.names_.resize(count(in, sizeof(uint64_t)));
     for (std::string_view& name : facts.names_) name = in.text();
-    facts.units_ = read_units(in, facts.names_.size());
+    facts.units_ = places_of_units(in, bytes, facts.names_.size());
     facts.suppressions_ = read_suppressions(in);
-    facts.macros_.resize(count(in, 2 * sizeof(uint64_t)));
-    for (MacroLine& line : facts.macros_) {
-        line.word = in.text();
-        line.text = in.text();
-        line.line = in.number<uint32_t>();
-    }
+    facts.macros_ = bytes.size() - in.left();
+    pass_macros(in);
     facts.includes_.resize(count(in, sizeof(uint64_t)));
     for (std::string& name : facts.includes_) name = in.text();
     return in.sound() && in.at_end() ? std::optional(std::move(facts)) : std::nullopt;
+}
+
+KnownUnit FileFacts::unit(uint32_t i) const {
+    ByteReader in(bytes_.substr(units_[i]));
+    return read_unit(in);
+}
+
+void FileFacts::each_name(uint32_t unit, const std::function<void(std::string_view)>& visit) const {
+    ByteReader in(bytes_.substr(units_[unit]));
+    read_unit(in);
+    for (auto left = in.number<uint32_t>(); left > 0; --left) visit(names_[in.number<uint32_t>()]);
+}
+
+std::vector<MacroLine> FileFacts::macros() const {
+    ByteReader in(bytes_.substr(macros_));
+    return read_macros(in);
 }
 
 }  // namespace porttool

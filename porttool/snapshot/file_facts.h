@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,12 +22,12 @@ struct KnownUnit {
     UnitKind kind = UnitKind::Function;
     uint32_t start_line = 0, end_line = 0;
     Fingerprints prints;
-    uint32_t words = 0;           ///< of its normal text
-    std::vector<uint32_t> names;  ///< that its text has, by their places in FileFacts::names
+    uint32_t words = 0;  ///< of its normal text
 };
 
 /// What a check asks of a file none of whose units changed: a function of path and text alone. In bytes of its own,
-/// which are what is kept of it; made of them whether they are new or were kept.
+/// which are what is kept of it; made of them whether they are new or were kept. Units and macros, of which a file can
+/// have half a million, are read from the bytes when they are asked for.
 class FileFacts {
 public:
     /// `states`: those of the file's units.
@@ -37,10 +38,12 @@ public:
     std::string_view bytes() const { return bytes_; }
     uint64_t tokens() const { return tokens_; }
     const std::optional<uint32_t>& unfinished_merge() const { return unfinished_merge_; }
-    const std::vector<KnownUnit>& units() const { return units_; }  ///< in order; the whole file is the last
-    const std::vector<std::string_view>& names() const { return names_; }
+    uint32_t units() const { return static_cast<uint32_t>(units_.size()); }
+    KnownUnit unit(uint32_t i) const;  ///< in order; the whole file is the last
+    /// Calls visit(name) once for each name that the unit's text has.
+    void each_name(uint32_t unit, const std::function<void(std::string_view)>& visit) const;
     const std::vector<Suppression>& suppressions() const { return suppressions_; }
-    const std::vector<MacroLine>& macros() const { return macros_; }
+    std::vector<MacroLine> macros() const;
     const std::vector<std::string>& includes() const { return includes_; }
 
 private:
@@ -48,10 +51,10 @@ private:
     std::string_view bytes_;
     uint64_t tokens_ = 0;
     std::optional<uint32_t> unfinished_merge_;
-    std::vector<KnownUnit> units_;
     std::vector<std::string_view> names_;
+    std::vector<uint32_t> units_;  ///< where they begin in bytes_
+    size_t macros_ = 0;            ///< the same of the macros
     std::vector<Suppression> suppressions_;
-    std::vector<MacroLine> macros_;
     std::vector<std::string> includes_;
 };
 

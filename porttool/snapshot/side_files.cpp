@@ -6,12 +6,18 @@
 #include "porttool/snapshot/merge_marks.h"
 
 namespace porttool {
+namespace {
+
+constexpr size_t kLeastOfLargeFile =
+    1u << 20;  // from which on its tokens, some 20 times that, are not kept for one look
+
+}  // namespace
 
 KnownFile::KnownFile(std::string path, std::string bytes, FileFacts facts, ScannedFile scanned,
                      std::vector<UnitState> states)
     : path_(std::move(path)), bytes_(std::move(bytes)), facts_(std::move(facts)), scanned_(std::move(scanned)) {
     for (uint32_t unit = 0; unit < states.size(); ++unit)
-        texts_.emplace_hint(texts_.end(), unit, states[unit].text.take());
+        texts_.emplace_hint(texts_.end(), unit, std::move(states[unit].text));
 }
 
 bool KnownFile::has_text(uint32_t unit) const {
@@ -29,23 +35,33 @@ const ScannedFile& KnownFile::scanned() const {
     return scanned_once();
 }
 
+void KnownFile::visit_scanned(const std::function<void(const ScannedFile&)>& visit) const {
+    const ScannedFile* kept = nullptr;
+    {
+        const std::lock_guard lock(mutex_);
+        if (scanned_ || bytes_.size() < kLeastOfLargeFile) kept = &scanned_once();
+    }
+    if (kept != nullptr) return visit(*kept);
+    visit(scan_text(path_, bytes_));
+}
+
 const NormalText& KnownFile::text(uint32_t unit) const {
     const std::lock_guard lock(mutex_);
-    const auto known = texts_.find(unit);
-    if (known != texts_.end()) return known->second;
-    return texts_.emplace(unit, state_of(scanned_once(), unit).text.get()).first->second;
+    auto known = texts_.find(unit);
+    if (known == texts_.end()) known = texts_.emplace(unit, state_of(scanned_once(), unit).text).first;
+    return known->second.get();
 }
 
 void KnownFile::each_name(uint32_t unit, const std::function<void(std::string_view)>& visit) const {
-    for (const uint32_t name : facts_.units()[unit].names) visit(facts_.names()[name]);
+    facts_.each_name(unit, visit);
 }
 
 std::vector<UnitState> states_of(const std::shared_ptr<const KnownFile>& file) {
     std::vector<UnitState> out;
-    const std::vector<KnownUnit>& units = file->facts().units();
-    out.reserve(units.size());
-    for (uint32_t i = 0; i < units.size(); ++i) {
-        const KnownUnit& unit = units[i];
+    const FileFacts& facts = file->facts();
+    out.reserve(facts.units());
+    for (uint32_t i = 0; i < facts.units(); ++i) {
+        const KnownUnit unit = facts.unit(i);
         UnitState& state = out.emplace_back();
         state.id.reserve(file->path().size() + 1 + unit.name.size());
         state.id.append(file->path()).append(":").append(unit.name);
@@ -73,8 +89,9 @@ std::vector<std::string_view> FilesOfSide::unit_names(size_t file) const {
     if (scanned_ != nullptr) {
         for (const Unit& unit : (*scanned_)[file].units) out.emplace_back(unit.name);
     } else {
-        for (const KnownUnit& unit : (*known_)[file]->facts().units())
-            if (unit.kind != UnitKind::File) out.push_back(unit.name);
+        const FileFacts& facts = (*known_)[file]->facts();
+        for (uint32_t i = 0; i < facts.units(); ++i)
+            if (const KnownUnit unit = facts.unit(i); unit.kind != UnitKind::File) out.push_back(unit.name);
     }
     return out;
 }
@@ -90,6 +107,10 @@ std::optional<uint32_t> FilesOfSide::unfinished_merge(size_t file) const {
 
 const ScannedFile& FilesOfSide::scanned(size_t file) const {
     return scanned_ != nullptr ? (*scanned_)[file] : (*known_)[file]->scanned();
+}
+
+void FilesOfSide::visit_scanned(size_t file, const std::function<void(const ScannedFile&)>& visit) const {
+    return scanned_ != nullptr ? visit((*scanned_)[file]) : (*known_)[file]->visit_scanned(visit);
 }
 
 std::vector<FileMacros> FilesOfSide::macros() const {

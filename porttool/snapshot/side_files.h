@@ -28,6 +28,8 @@ public:
     const std::string& bytes() const { return bytes_; }
     const FileFacts& facts() const { return facts_; }
     const ScannedFile& scanned() const;
+    /// Hands the scanned file to `visit`. That of a large one, if nobody asked for it yet, is gone afterwards.
+    void visit_scanned(const std::function<void(const ScannedFile&)>& visit) const;
     const NormalText& text(uint32_t unit) const override;
     /// Whether text() need not write it first.
     bool has_text(uint32_t unit) const;
@@ -40,7 +42,7 @@ private:
     FileFacts facts_;
     mutable std::mutex mutex_;
     mutable std::optional<ScannedFile> scanned_;
-    mutable std::map<uint32_t, NormalText> texts_;
+    mutable std::map<uint32_t, UnitText> texts_;
 };
 
 using KnownSide = std::vector<std::shared_ptr<const KnownFile>>;
@@ -63,6 +65,7 @@ public:
     const std::vector<Suppression>& suppressions(size_t file) const;
     std::optional<uint32_t> unfinished_merge(size_t file) const;
     const ScannedFile& scanned(size_t file) const;
+    void visit_scanned(size_t file, const std::function<void(const ScannedFile&)>& visit) const;
     /// The file as it was read or, where it was scanned at once, without what scanning leaves out.
     std::string_view text(size_t file) const {
         return scanned_ != nullptr ? std::string_view((*scanned_)[file].lexed.text) : (*known_)[file]->bytes();

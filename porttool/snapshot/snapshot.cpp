@@ -37,7 +37,10 @@ std::vector<ScannedFile> scan_all(const SourceSet& set, const FilesByPath& known
         const SourceText& source = set.files[i];
         const auto found = known.find(source.path);
         is_same[i] = found != known.end() && found->second->lexed.text == source.text;
-        files[i] = is_same[i] ? *found->second : scan_text(source.path, source.text);
+        if (is_same[i])
+            files[i] = *found->second;
+        else
+            files[i] = scan_text(source.path, source.text);
     });
     for (size_t i = 0; i < files.size(); ++i)
         if (is_same[i]) same.insert(files[i].path);

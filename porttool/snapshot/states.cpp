@@ -10,15 +10,12 @@
 namespace porttool {
 namespace {
 
-void add(std::map<std::string, UnitState>& states, std::vector<UnitState> of_file) {
-    for (UnitState& state : of_file) {
-        std::string id = state.id;
-        states.emplace(std::move(id), std::move(state));
-    }
+void add(UnitsById& states, std::vector<UnitState> of_file) {
+    for (UnitState& state : of_file) states.add(std::move(state));
 }
 
-void add_states(std::map<std::string, UnitState>& states, const std::vector<ScannedFile>& files,
-                const std::set<std::string>& named, const std::set<std::string>& same) {
+void add_states(UnitsById& states, const std::vector<ScannedFile>& files, const std::set<std::string>& named,
+                const std::set<std::string>& same) {
     std::vector<std::vector<UnitState>> of_files(files.size());
     in_parallel(files.size(), files.size() >= kFilesWorthThreads, [&](size_t i) {
         const ScannedFile& file = files[i];
@@ -51,7 +48,7 @@ States read_states(const Project& project) { return read_states(project, {}, {})
 States read_states(const Project& project, States known, const BySide<std::set<std::string>>& same) {
     const std::set<std::string> named = named_ids(project.map);
     for (const Side side : kBothSides) {
-        std::erase_if(known[side], [&](const auto& entry) { return !same[side].contains(entry.second.file); });
+        known[side].erase_if([&](const UnitState& unit) { return !same[side].contains(unit.file); });
         add_states(known[side], side == Side::Source ? project.source : project.target, named, same[side]);
     }
     return known;

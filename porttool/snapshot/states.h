@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
 #include <set>
 #include <string>
 
-#include "porttool/normal/unit_state.h"
+#include "porttool/normal/units_by_id.h"
 #include "porttool/scan/side.h"
 #include "porttool/snapshot/project.h"
 #include "porttool/snapshot/side_files.h"
@@ -14,7 +13,7 @@
 namespace porttool {
 
 /// The units of both sides by id.
-using States = BySide<std::map<std::string, UnitState>>;
+using States = BySide<UnitsById>;
 
 /// The ids that the map names.
 std::set<std::string> named_ids(const MapFile& map);

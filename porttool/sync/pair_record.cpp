@@ -63,8 +63,8 @@ std::vector<FileToWrite> PairRecord::new_texts(const RecordEdits& edits) {
         JudgedPair one{{pair.source.id, pair.target.id}, {&pair.source, &pair.target}};
         one.changed = true;
         judged.push_back(one);
-        states.source.emplace(pair.source.id, pair.source);
-        states.target.emplace(pair.target.id, pair.target);
+        states.source.add(pair.source);
+        states.target.add(pair.target);
     }
     std::string map_text = named.empty() ? project.map_text : add_pairs(project, named);
     for (const BySide<std::string>& pair : edits.removed) map_text = remove_pair(project, {pair.source, pair.target});

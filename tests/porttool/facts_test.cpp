@@ -23,7 +23,7 @@ TEST(Facts, OfANewFileAreGivenWithTheTextsThatWereWrittenForThem) {
     FactsStore store("facts_test", "", 0);
     const KnownSide side = store.know({file_of(text)}, {});
     ASSERT_EQ(side.size(), 1u);
-    ASSERT_EQ(side[0]->facts().units().size(), 2u);
+    ASSERT_EQ(side[0]->facts().units(), 2u);
     const ScannedFile scanned = scan_text("s/a.cu", text);
     for (uint32_t unit = 0; unit < 2; ++unit) {
         EXPECT_TRUE(side[0]->has_text(unit)) << unit;

@@ -26,9 +26,11 @@ LockFile sample() {
     const Print print = Print::read(kPrint), another = Print::read(kOther);
     const Fingerprints a{print, print, another}, b{another, another, print};
     lock.pairs = {{"s/a.cl:f", "t/a.cpp:f", a, b, "recorded", "", {}},
-                  {"s/%09\t.cl:g", "t/\n.cpp:g", b, a, "verified", "accept 2026-11-22", {{"later", "a\tb=%"}}}};
+                  {"s/%09\t.cl:g", "t/\n.cpp:g", b, a, "verified", "accept 2026-11-22", {}}};
+    lock.pairs[1].more["later"] = "a\tb=%";
     lock.baseline = {{"s/a.cl:h", {print, {}, {}}, "host only", "source", {}},
-                     {"t/a.cpp:k", {print, another, another}, "", "target:cpu", {{"seen", "1"}}}};
+                     {"t/a.cpp:k", {print, another, another}, "", "target:cpu", {}}};
+    lock.baseline[1].more["seen"] = "1";
     lock.ledger = {{Verdict::Defer, "s/a.cl:f", "t/a.cpp:f", print, {}, "me", "2030-01-01", "later", {}}};
     return lock;
 }
@@ -43,7 +45,8 @@ TEST(LockFile, ComesBackAsItWasWrittenWithFieldsOfLaterVersions) {
     EXPECT_EQ(pair.source, "s/%09\t.cl:g");
     EXPECT_EQ(pair.target, "t/\n.cpp:g");
     EXPECT_EQ(pair.by, "accept 2026-11-22");
-    EXPECT_EQ(pair.more.at("later"), "a\tb=%");
+    ASSERT_NE(pair.more.find("later"), pair.more.end());
+    EXPECT_EQ(pair.more.find("later")->second, "a\tb=%");
     EXPECT_EQ(read.lock.baseline.size(), 2u);
     EXPECT_EQ(read.lock.ledger[0].owner, "me");
 }
@@ -88,8 +91,8 @@ TEST(LockFile, EveryPrintIsCheckedBeforeItBecomesAPath) {
 
 TEST(LockFile, WhatIsNoneIsNamedWithItsLine) {
     const auto error = [](const std::string& lines) { return read_lock("porttool-lock\t2\n" + lines).error; };
-    EXPECT_THAT(error("normal-form\t4\n"),
-                ::testing::HasSubstr("portmap.lock:2: its fingerprints are of normal form 4"));
+    EXPECT_THAT(error("normal-form\t5\n"),
+                ::testing::HasSubstr("portmap.lock:2: its fingerprints are of normal form 5"));
     EXPECT_THAT(error("normal-form\tx\n"), ::testing::HasSubstr("portmap.lock:2: cannot be read"));
     EXPECT_THAT(error("00000000\tdefer\ta:f\tb:f\t-\t-\tme\tnever\tx\n"), ::testing::HasSubstr("'never' is no date"));
     EXPECT_THAT(error("000\n0000\n"), ::testing::HasSubstr("portmap.lock:3: cannot be read: '0000'"));
@@ -573,6 +576,75 @@ TEST_F(MergedLock, OfVersionOneWithoutItsTextsIsRefusedWithTheCommandThatHelps) 
     EXPECT_NE(got.err.find("porttool init --force"), std::string::npos) << got.err;
     EXPECT_EQ(porttool({"init", "--force"}).exit_code, 0);
     EXPECT_EQ(json({"check"})["verdict"], "in_step");
+}
+
+/// A lock of an older normal form is held to what that form saw of a text, until somebody accepts.
+TEST_F(MergedLock, OfNormalForm3HoldsWhatThatFormSaw) {
+    start(2);
+    const std::string lock = read_text(root / "portmap.lock"), source = read_text(root / "src/a.cu");
+    const auto check_in_form = [&](const char* form, const std::string& before) {
+        write("portmap.lock", replaced(lock, "normal-form\t4\n", std::string("normal-form\t") + form + "\n"));
+        write("src/a.cu", before + source);
+        return porttool({"check"}).exit_code;
+    };
+    const std::string weak = "__attribute__((weak)) float work_0(float x, float y);\n";
+    struct Row {
+        std::string before;
+        int in_form_3, in_form_4;
+    };
+    for (const Row& row :
+         {Row{"", 0, 0}, Row{weak, 0, 1}, Row{"float work_0(float x, float y = 2.0f);\n", 1, 1},
+          Row{weak + "float work_0(float x, float y = 2.0f);\n", 1, 1}, Row{"#pragma STDC FP_CONTRACT OFF\n", 1, 1}}) {
+        EXPECT_EQ(check_in_form("3", row.before), row.in_form_3) << row.before;
+        EXPECT_EQ(check_in_form("4", row.before), row.in_form_4) << row.before;
+    }
+    EXPECT_EQ(check_in_form("3", weak), 0);
+    ASSERT_EQ(porttool({"accept", "--all"}).exit_code, 0);
+    EXPECT_NE(read_text(root / "portmap.lock").find("\nnormal-form\t4\n"), std::string::npos);
+    EXPECT_EQ(porttool({"check"}).exit_code, 0);
+    write("src/a.cu", source);
+    EXPECT_EQ(porttool({"check"}).exit_code, 1) << "from now on the attribute counts";
+}
+
+/// Where both sides are one text in an older form, and are told apart today, each side's line is read as its own.
+TEST_F(MergedLock, OfNormalForm3TellsApartWhatThatFormDidNot) {
+    start(2);
+    const std::string text = "int same_on_both(int a) {\n    int n = a + 1;\n    return n * 7;\n}\n";
+    write("src/a.cu", read_text(root / "src/a.cu") + text);
+    write("port/a.cpp", read_text(root / "port/a.cpp") + text);
+    ASSERT_EQ(porttool({"accept", "src/a.cu:same_on_both=port/a.cpp:same_on_both"}).exit_code, 0);
+    const std::string lock = read_text(root / "portmap.lock");
+    write("portmap.lock", replaced(lock, "normal-form\t4\n", "normal-form\t3\n"));
+    const std::string weak = "__attribute__((weak)) int same_on_both(int a);\n";
+    write("src/a.cu", weak + read_text(root / "src/a.cu"));
+    EXPECT_EQ(json({"check"})["summary"]["review"], 0) << "the port is what it was";
+    EXPECT_EQ(porttool({"check"}).exit_code, 0);
+}
+
+/// Builds in between wrote what form 4 is and called it 3.
+TEST_F(MergedLock, OfNormalForm3MayHoldPrintsOfForm4) {
+    start(1);
+    const std::string weak = "__attribute__((weak)) ", lone = "int lone(int a, int b)";
+    const std::string body = " {\n    int n = a * b;\n    return n - 7;\n}\n";
+    write("src/b.cu", weak + lone + ";\n" + lone + body);
+    write("src/a.cu", weak + "float work_0(float x, float y);\n" + read_text(root / "src/a.cu"));
+    ASSERT_EQ(porttool({"init", "--force"}).exit_code, 0);
+    write("portmap.lock", replaced(read_text(root / "portmap.lock"), "normal-form\t4\n", "normal-form\t3\n"));
+    const auto changed = [&] {
+        const std::string out = porttool({"check"}).out;
+        EXPECT_NE(out.find("in_step"), std::string::npos) << out;
+        return out.find("changed here") != std::string::npos;
+    };
+    EXPECT_FALSE(changed());
+    write("src/b.cu", weak + lone + ";\n" + lone + replaced(replaced(body, "int n", "int m"), "return n", "return m"));
+    EXPECT_FALSE(changed()) << "a local has another name";
+    write("src/b.cu", weak + lone + ";\n" + lone + replaced(body, "a * b", "a + b"));
+    EXPECT_TRUE(changed());
+    write("src/b.cu", lone + ";\n" + lone + body);
+    EXPECT_TRUE(changed()) << "the attribute went";
+    write("src/b.cu", weak + lone + ";\n" + lone + body);
+    std::filesystem::remove_all(root / "portmap.base");
+    EXPECT_FALSE(changed()) << "no text is needed to know that nothing is edited";
 }
 
 TEST_F(MergedLock, HistoryReadsLocksOfBothVersions) {

@@ -20,7 +20,7 @@
 #include "porttool/judge/judge.h"
 #include "porttool/match/match.h"
 #include "porttool/measure/measure.h"
-#include "porttool/normal/unit_state.h"
+#include "porttool/normal/units_by_id.h"
 #include "porttool/normal/word_macros.h"
 #include "porttool/read/id_patterns.h"
 #include "porttool/read/ignore_rules.h"
@@ -33,16 +33,12 @@ namespace {
 
 constexpr size_t kBytes = 700;
 
-using States = std::map<std::string, UnitState>;
+using States = UnitsById;
 
 States states_of(const ScannedFile& file) {
     States out;
-    const auto add = [&](const Unit& unit) {
-        UnitState state = unit_state(file, unit);
-        out.emplace(state.id, std::move(state));
-    };
-    for (const Unit& unit : file.units) add(unit);
-    if (file.units.empty()) add(whole_file_unit(file));
+    for (const Unit& unit : file.units) out.add(unit_state(file, unit));
+    if (file.units.empty()) out.add(unit_state(file, whole_file_unit(file)));
     return out;
 }
 
