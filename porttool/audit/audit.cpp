@@ -9,6 +9,7 @@
 
 #include "porttool/audit/certainty.h"
 #include "porttool/audit/essence.h"
+#include "porttool/audit/likely_partners.h"
 #include "porttool/audit/past_walk.h"
 #include "porttool/audit/port_patch.h"
 #include "porttool/audit/stray_edits.h"
@@ -139,8 +140,9 @@ public:
         std::vector<FoundEdit> found = read_pairs(lineages, dialect);
         const Habits habits = habits_of(found, differing_, today_.pairs.size());
         out.items = ranked(std::move(found), walked, today_, habits, alike_);
+        if (choice_.since.empty()) add_todays(items_of_today(differing_, today_, habits), out.items);
         if (choice_.since.empty())
-            for (AuditItem& item : items_of_today(differing_, today_, habits)) out.items.push_back(std::move(item));
+            for (AuditItem& item : items_of_odd_members(lineages, today_)) out.items.push_back(std::move(item));
         std::stable_sort(out.items.begin(), out.items.end(),
                          [](const AuditItem& a, const AuditItem& b) { return a.certainty > b.certainty; });
         out.found = out.items.size();
@@ -154,6 +156,33 @@ public:
     }
 
 private:
+    /// Of a place of which both a commit and today's texts tell the surer item stays, as long as it is shown.
+    static void add_todays(std::vector<AuditItem> todays, std::vector<AuditItem>& items) {
+        std::map<std::pair<std::string, std::string>, std::vector<size_t>> of_pair;
+        for (size_t i = 0; i < items.size(); ++i) of_pair[{items[i].id.source, items[i].id.target}].push_back(i);
+        std::set<size_t> dropped;
+        for (AuditItem& item : todays) {
+            const MissingPlace& place = item.places.front();
+            const std::string said = place.now.empty() ? place.there : place.now;
+            const auto tells = [&](const MissingPlace& one) { return one.now == said || one.there == said; };
+            bool stays = true;
+            const auto pair = of_pair.find({item.id.source, item.id.target});
+            for (const size_t i : pair == of_pair.end() ? std::vector<size_t>() : pair->second) {
+                AuditItem& past = items[i];
+                if (std::none_of(past.places.begin(), past.places.end(), tells)) continue;
+                if (past.certainty >= kLikelyItem || past.certainty >= item.certainty) {
+                    stays = false;
+                    break;
+                }
+                item.why.push_back("its place was edited in " + past.commit->id.substr(0, kShownId));
+                if (std::all_of(past.places.begin(), past.places.end(), tells)) dropped.insert(i);
+            }
+            if (stays) items.push_back(std::move(item));
+        }
+        size_t at = 0;
+        std::erase_if(items, [&](const AuditItem&) { return dropped.contains(at++); });
+    }
+
     /// What no commit tells of stays where there is nothing else.
     static void drop_unlikely(std::vector<AuditItem>& items) {
         const bool any = std::any_of(items.begin(), items.end(), [](const AuditItem& one) { return one.commit; });
@@ -182,6 +211,7 @@ private:
         for (const TodaysPair& pair : today_.pairs) all.emplace_back(pair.id.source, pair.id.target);
         for (const AuditItem& item : items) {
             const PairIds pair{item.id.source, item.id.target};
+            if (pair.first.empty() || pair.second.empty()) continue;  // one text alone tells of it
             const UnitKind kind = patches_->states().source.at(pair.first).kind;
             if ((kind == UnitKind::Function || kind == UnitKind::Kernel) &&
                 std::find(asked.begin(), asked.end(), pair) == asked.end())
@@ -223,10 +253,10 @@ private:
         for (const auto& [id, lineage] : lineages)
             for (const auto& [commit, places] : lineage.edits()) file_edits[split_id(id).first].insert(commit);
         std::vector<FoundEdit> out;
-        for (size_t i = 0; i < today_.pairs.size(); ++i) {
+        const auto sides_of = [&](const BySide<std::string>& id) {
             BySide<SideOfPair> pair;
             for (const Side side : kBothSides) {
-                const UnitState& unit = today_.unit(today_.pairs[i], side);
+                const UnitState& unit = states[side].at(id[side]);
                 pair[side] = {&unit,
                               &lineages.at(unit.id),
                               statements.of(unit.file),
@@ -235,18 +265,42 @@ private:
                               &words[side],
                               &functions[side]};
             }
-            PairReading reading = read_pair(pair, dialect);
+            return pair;
+        };
+        for (size_t i = 0; i < today_.pairs.size(); ++i) {
+            PairReading reading = read_pair(sides_of(today_.pairs[i].id), dialect);
             alike_.push_back(reading.alike);
             if (!reading.differs.empty()) differing_.push_back({i, reading.alike, std::move(reading.differs)});
             for (MissingPlace& slip : reading.slips) differing_.push_back({i, reading.alike, {std::move(slip)}, true});
             for (MissingEdit& edit : reading.missing) {
-                const auto there = file_edits.find(pair[other(edit.side)].unit->file);
+                const auto there = file_edits.find(today_.unit(today_.pairs[i], other(edit.side)).file);
                 const bool both = there != file_edits.end() && there->second.contains(edit.commit);
                 out.push_back({i, reading.alike, std::move(edit), both});
             }
         }
         add_strays(lineages, words, dialect, out);
+        add_partners([&](const BySide<std::string>& id) { return read_slips(sides_of(id), dialect); });
         return out;
+    }
+
+    /// What looks like a slip between a function without a pair and the one that most likely holds its other text.
+    template <class Read>
+    void add_partners(const Read& read) {
+        constexpr double kScore = 0.85;
+        BySide<std::set<std::string>> paired;
+        for (const TodaysPair& pair : today_.pairs)
+            for (const Side side : kBothSides)
+                if (!pair.stray) paired[side].insert(pair.id[side]);
+        for (const BySide<std::string>& id : likely_partners(today_.snapshot.states, paired)) {
+            PairReading reading = read(id);
+            // What one of them has alone another function may say.
+            std::erase_if(reading.slips, [](const MissingPlace& one) { return one.now.empty() || one.there.empty(); });
+            if (reading.slips.empty()) continue;
+            today_.pairs.push_back({id, kScore, false, true});
+            alike_.push_back(reading.alike);
+            for (MissingPlace& slip : reading.slips)
+                differing_.push_back({today_.pairs.size() - 1, reading.alike, {std::move(slip)}, true});
+        }
     }
 
     /// Each makes a pair of its own, of which little is known.
@@ -268,6 +322,7 @@ private:
         }
     }
 
+    static constexpr size_t kShownId = 10;        ///< digits of a commit
     static constexpr size_t kFew = 20;            ///< whoever asks for no more than that wants what is likely
     static constexpr size_t kFewPairs = 20;       ///< whoever looks at so few looks at all that there is
     static constexpr double kLikelyToday = 0.29;  ///< the same for what no commit tells of: twins, but for one place

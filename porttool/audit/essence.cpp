@@ -169,6 +169,47 @@ Text with_plain_places(const Text& words) {
     return out;
 }
 
+/// Where `& a . b . x )` ends that begins there, behind its `)`, and how long the way to the vector is; the place
+/// itself where none does.
+std::pair<size_t, size_t> end_of_vector_place(const Text& words, size_t first) {
+    if (first + 4 >= words.size() || words[first] != "&" || !is_word_token(words[first + 1])) return {first, 0};
+    size_t i = first + 2;
+    while (i + 1 < words.size() && is_one_of(words[i], {".", "->"}) && is_word_token(words[i + 1])) i += 2;
+    const bool is_vector = i > first + 3 && i < words.size() && words[i] == ")" && words[i - 1] == "x";
+    return is_vector ? std::pair(i + 1, i - 2 - (first + 1)) : std::pair(first, size_t{0});
+}
+
+/// A vector that is read or written by the address of its first component as the vector itself: `LOAD3 ( & p . n . x )`
+/// and `vload3 ( 0 , & p . n . x )` are `p . n`, and `STORE3 ( v , & p . n . x )` is `p . n = v`.
+Text with_plain_vectors(const Text& words) {
+    Text out;
+    const auto is_named = [](const std::string& word, std::string_view what) {
+        return is_word_token(word) && in_small_letters(word).find(what) != std::string::npos;
+    };
+    for (size_t i = 0; i < words.size(); ++i) {
+        const bool calls = i + 2 < words.size() && words[i + 1] == "(";
+        const bool loads = calls && is_named(words[i], "load");
+        const size_t place = i + (loads && words[i + 2] == "0" && words[i + 3] == "," ? 4 : 2);
+        if (const auto [end, way] = end_of_vector_place(words, place); loads && end > place) {
+            out.insert(out.end(), words.begin() + static_cast<ptrdiff_t>(place) + 1,
+                       words.begin() + static_cast<ptrdiff_t>(place + 1 + way));
+            i = end - 1;
+            continue;
+        }
+        out.push_back(words[i]);
+    }
+    if (out.size() < 6 || out[1] != "(" || !is_named(out[0], "store")) return out;
+    const auto comma = std::find(out.rbegin(), out.rend(), ",");
+    if (comma == out.rend()) return out;
+    const auto at = static_cast<size_t>(out.rend() - comma);
+    const auto [end, way] = end_of_vector_place(out, at);
+    if (end != out.size() || at < 4) return out;
+    Text set(out.begin() + static_cast<ptrdiff_t>(at) + 1, out.begin() + static_cast<ptrdiff_t>(at + 1 + way));
+    set.emplace_back("=");
+    set.insert(set.end(), out.begin() + 2, out.begin() + static_cast<ptrdiff_t>(at) - 1);
+    return set;
+}
+
 /// Without `*` and `&` before an operand, template arguments and the names of what holds a name.
 Text without_marks(const Text& words) {
     Text out;
@@ -365,8 +406,8 @@ std::string plain_word(const std::string& word, const Dialect& dialect) {
 }
 
 Text essence_of(const Text& words, const Dialect& dialect) {
-    Text out = with_plain_nulls(with_plain_assignment(with_plain_steps(
-        with_plain_calls(without_marks(with_plain_places(without_casts(without_declaration(words))))))));
+    Text out = with_plain_nulls(with_plain_assignment(with_plain_steps(with_plain_calls(
+        without_marks(with_plain_places(with_plain_vectors(without_casts(without_declaration(words)))))))));
     for (std::string& word : out) word = plain_word(word, dialect);
     std::erase_if(out, [](const std::string& word) { return word == "this"; });
     return with_whole_vectors(out);

@@ -40,6 +40,13 @@ public:
         for (const Side side : kBothSides) alone_[side] = without_twin(side);
     }
 
+    PairReading run_for_slips() {
+        PairReading out;
+        out.alike = texts_.alike();
+        out.slips = TodaysDifferences(texts_, otherwise_).slips();
+        return out;
+    }
+
     PairReading run(bool has_any_past) {
         PairReading out;
         out.alike = texts_.alike();
@@ -297,13 +304,9 @@ private:
         });
     }
 
-    /// A slip that an edit of the past, or what few statements differ in, tells of is no item of its own.
+    /// A slip that is among the few statements in which the two differ is told as that alone.
     static void drop_what_is_told(PairReading& out) {
-        std::set<std::string> told;
         const auto key = [](const MissingPlace& place) { return place.now.empty() ? place.there : place.now; };
-        for (const MissingEdit& edit : out.missing)
-            for (const MissingPlace& place : edit.places) told.insert({place.now, place.there});
-        std::erase_if(out.slips, [&](const MissingPlace& place) { return told.contains(key(place)); });
         std::set<std::string> slips;
         for (const MissingPlace& place : out.slips) slips.insert(key(place));
         std::erase_if(out.differs, [&](const MissingPlace& place) { return slips.contains(key(place)); });
@@ -357,6 +360,13 @@ PairReading read_pair(const BySide<SideOfPair>& pair, const Dialect& dialect) {
         if (!has_any_past && pair[side].lineage->today().size() > kMostStatements) return {};
     if (pair.source.lineage->today().size() * pair.target.lineage->today().size() > kMostTried) return {};
     return PairReader(pair, dialect).run(has_any_past);
+}
+
+PairReading read_slips(const BySide<SideOfPair>& pair, const Dialect& dialect) {
+    constexpr size_t kMostStatements = 600;
+    for (const Side side : kBothSides)
+        if (pair[side].lineage->today().size() > kMostStatements) return {};
+    return PairReader(pair, dialect).run_for_slips();
 }
 
 }  // namespace porttool

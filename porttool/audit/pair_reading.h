@@ -28,4 +28,7 @@ std::string statement_key(const WrittenStatement& statement, const Dialect& dial
 /// the other side still has in place of it, statements that it never got, and such that only it still has.
 PairReading read_pair(const BySide<SideOfPair>& pair, const Dialect& dialect);
 
+/// What looks like a slip of one side today, whatever the past was: of two functions that are no pair.
+PairReading read_slips(const BySide<SideOfPair>& pair, const Dialect& dialect);
+
 }  // namespace porttool

@@ -23,6 +23,7 @@ namespace {
 using Text = std::vector<std::string>;
 
 constexpr float kSameStatement = 0.7f;
+constexpr size_t kTellingName = 5;  ///< letters of a name that is part of another one's
 
 bool is_operator_of_operand(const std::string& word) {
     return is_one_of(word, {"+", "-", "*", "/", "%", "&&", "||", "&", "|", "^"});
@@ -79,6 +80,20 @@ bool differ_in_truth(const Text& a, const Text& b) {
     return other == 1 && truth;
 }
 
+/// The place of the one member by which two statements differ, which is longer than a component's name; 0 for others.
+size_t member_that_differs(const Text& a, const Text& b) {
+    if (a.size() != b.size()) return 0;
+    size_t out = 0;
+    for (size_t i = 1; i < a.size(); ++i) {
+        if (a[i] == b[i]) continue;
+        const bool members = a[i - 1] == "." && is_word_token(a[i]) && is_word_token(b[i]) && a[i].size() > 2 &&
+                             b[i].size() > 2 && (i + 1 == a.size() || a[i + 1] != "(");
+        if (!members || out != 0) return 0;
+        out = i;
+    }
+    return a[0] == b[0] ? out : 0;
+}
+
 /// True where what differs are numbers of a size by which nothing is meant but next to nothing, or next to everything.
 bool differ_in_guards(const Text& a, const Text& b) {
     constexpr double kSmall = 1e-4, kGreat = 1e4;
@@ -111,10 +126,79 @@ Text words_that_differ(const Text& a, const Text& b) {
     return out;
 }
 
+/// True for `if ( ! a || ! b )`: which of its pointers a side tests is its own affair.
+bool asks_for_null_alone(const Text& words) {
+    return words.size() > 4 && words[0] == "if" &&
+           std::all_of(words.begin(), words.end(),
+                       [](const std::string& word) {
+                           return is_word_token(word) || is_one_of(word, {"(", ")", "!", "||"});
+                       }) &&
+           std::count(words.begin(), words.end(), "!") == std::count(words.begin(), words.end(), "||") + 1;
+}
+
 bool has_call(const Text& words) {
     for (size_t i = 0; i + 1 < words.size(); ++i)
         if (words[i + 1] == "(" && is_word_token(words[i]) && !is_keyword(words[i])) return true;
     return false;
+}
+
+/// The names that a question is about: the last of each way, `inside` of `! hit . inside`.
+Text members_in(const Text& words) {
+    Text out;
+    for (size_t i = 0; i < words.size(); ++i)
+        if (is_word_token(words[i]) && !is_keyword(words[i]) && (i + 1 == words.size() || words[i + 1] != "."))
+            out.push_back(words[i]);
+    return out;
+}
+
+/// A call of a statement, with all its words.
+struct CallThere {
+    size_t statement = 0;
+    Text words;
+};
+
+/// The calls of a side that take more than one argument and are not overly long.
+std::vector<CallThere> calls_of(const ReadSide& read) {
+    constexpr size_t kMostWords = 64;
+    std::vector<CallThere> out;
+    for (size_t i = 1; i < read.words.size(); ++i) {
+        const Text& words = read.words[i];
+        for (size_t first = 0; first + 1 < words.size(); ++first) {
+            if (words[first + 1] != "(" || !is_word_token(words[first]) || is_keyword(words[first])) continue;
+            size_t end = first + 1, commas = 0;
+            for (int depth = 0; end < words.size(); ++end) {
+                depth += is_one_of(words[end], {"(", "["}) ? 1 : is_one_of(words[end], {")", "]"}) ? -1 : 0;
+                commas += depth == 1 && words[end] == "," ? 1 : 0;
+                if (depth == 0) break;
+            }
+            if (end < words.size() && commas > 0 && end - first < kMostWords)
+                out.push_back({i, Text(words.begin() + static_cast<ptrdiff_t>(first),
+                                       words.begin() + static_cast<ptrdiff_t>(end) + 1)});
+        }
+    }
+    return out;
+}
+
+/// What `a && b && c` asks for, without brackets around each. Empty for other statements.
+std::vector<Text> questions_of(const Text& words) {
+    size_t first = 0;
+    if (words.size() > 3 && words[0] == "if" && words[1] == "(") first = 2;
+    if (words.size() > 3 && is_word_token(words[0]) && words[1] == "=") first = 2;
+    if (words.size() > 2 && words[0] == "return") first = 1;
+    if (first == 0) return {};
+    const size_t end = words[0] == "if" ? words.size() - 1 : words.size();
+    std::vector<Text> out(1);
+    int depth = 0;
+    for (size_t i = first; i < end; ++i) {
+        depth += is_one_of(words[i], {"(", "[", "{"}) ? 1 : is_one_of(words[i], {")", "]", "}"}) ? -1 : 0;
+        if (depth == 0 && is_one_of(words[i], {"||", "?", ";", ","})) return {};
+        if (depth < 0) break;
+        if (depth == 0 && words[i] == "&&")
+            out.emplace_back();
+        else
+            out.back().push_back(words[i]);
+    }
+    return out.size() > 1 ? out : std::vector<Text>();
 }
 
 /// True for a statement that leaves with nothing computed: `return`, `return -1`.
@@ -208,6 +292,8 @@ std::vector<MissingPlace> TodaysDifferences::few() const {
 std::vector<MissingPlace> TodaysDifferences::slips() const {
     std::vector<Slip> found;
     for (size_t i = 1; i < texts_.sides.source.words.size(); ++i) add_slip(i, found);
+    add_calls(found);
+    add_conditions(found);
     std::map<Text, size_t> times;
     for (const Slip& slip : found) ++times[slip.core];
     constexpr size_t kManner = 3;  // what a pair says otherwise so often it means to
@@ -244,7 +330,104 @@ void TodaysDifferences::add_slip(size_t source, std::vector<Slip>& out) const {
     place.around = around(source, near.index);
     constexpr float kUnlike = 0.1f, kOtherTexts = 0.6f;
     place.strength = worth * (0.4f + 0.6f * place.around) * (texts_.alike() < kUnlike ? kOtherTexts : 1.0f);
+    if (member_that_differs(here.words[source], there.words[near.index]) != 0)
+        place.strength = worth * (0.5f + 0.5f * place.around);  // few say so much alike and mean another member
     out.push_back({std::move(place), words_that_differ(here.words[source], there.words[near.index])});
+}
+
+/// True for two statements that say something which both sides would have to say, in one of their builds.
+bool TodaysDifferences::may_slip(size_t source, size_t target) const {
+    const Text &now = texts_.sides.source.words[source], &then = texts_.sides.target.words[target];
+    return !is_aside(words_of_statement(texts_.sides.source.written[source])) &&
+           !is_aside(words_of_statement(texts_.sides.target.written[target])) && !moves_memory(now) &&
+           !sizes_launch(now) && !CommonTexts::name_thread(now) && !CommonTexts::name_thread(then) &&
+           !is_alternative(texts_.sides.source, source, texts_.sides.target) &&
+           !is_alternative(texts_.sides.target, target, texts_.sides.source);
+}
+
+void TodaysDifferences::add_calls(std::vector<Slip>& out) const {
+    constexpr size_t kFewestNames = 3;  // that both calls have, with that of the function
+    constexpr float kKnown = 0.75f, kKnownElsewhere = 0.65f;
+    const BySide<std::vector<CallThere>> calls{calls_of(texts_.sides.source), calls_of(texts_.sides.target)};
+    BySide<std::set<Text>> said;
+    for (const Side side : kBothSides)
+        for (const CallThere& call : calls[side]) said[side].insert(call.words);
+    std::set<size_t> told;
+    for (const CallThere& now : calls.source) {
+        if (said.target.contains(now.words) || told.contains(now.statement)) continue;
+        const CallThere* twin = nullptr;
+        std::optional<OperandMore> more;
+        for (const CallThere& there : calls.target) {
+            if (there.words.front() != now.words.front() || said.source.contains(there.words)) continue;
+            if (auto one = operand_more(now.words, there.words)) {
+                twin = &there;
+                more = std::move(one);
+                break;
+            }
+        }
+        if (twin == nullptr || names_in(more->first_has_it ? twin->words : now.words).size() < kFewestNames) continue;
+        const Side lacks = more->first_has_it ? Side::Target : Side::Source;
+        const size_t index = more->first_has_it ? twin->statement : now.statement;
+        const std::vector<std::string> names = names_in(more->words);
+        if (names.empty() || !may_slip(now.statement, twin->statement) || is_said_near(lacks, index, more->words) ||
+            !uses_all(lacks, names) || is_no_difference(now.statement, twin->statement))
+            continue;
+        MissingPlace place;
+        place.now = texts_.sides.source.written[now.statement];
+        place.there = texts_.sides.target.written[twin->statement];
+        place.around = around(now.statement, twin->statement);
+        place.strength = (knows(lacks, more->words) ? kKnown : kKnownElsewhere) * (0.5f + 0.5f * place.around);
+        told.insert(now.statement);
+        out.push_back({std::move(place), words_that_differ(now.words, twin->words)});
+    }
+}
+
+void TodaysDifferences::add_conditions(std::vector<Slip>& out) const {
+    const ReadSide &here = texts_.sides.source, &there = texts_.sides.target;
+    for (size_t i = 1; i < here.words.size(); ++i) {
+        if (here.repeats.contains(i) || said_.target.contains(here.words[i]) || questions_of(here.words[i]).empty())
+            continue;
+        const Nearest near = nearest(here.weighed[i], there.weighed);
+        if (!near.any || near.index == 0 || said_.source.contains(there.words[near.index])) continue;
+        const Nearest back = nearest(there.weighed[near.index], here.weighed);
+        if (here.words[back.index] == here.words[i]) add_condition(i, near.index, out);
+    }
+}
+
+void TodaysDifferences::add_condition(size_t source, size_t target, std::vector<Slip>& out) const {
+    constexpr float kSameQuestion = 0.2f, kAlikeInAll = 0.6f;
+    const Text &now = texts_.sides.source.words[source], &then = texts_.sides.target.words[target];
+    std::vector<Text> here = questions_of(now), there = questions_of(then);
+    const bool source_has = here.size() > there.size();
+    std::vector<Text>&longer = source_has ? here : there, &shorter = source_has ? there : here;
+    if (shorter.empty() || longer.size() != shorter.size() + 1 || now.front() != then.front()) return;
+    float sum = 0;
+    for (const Text& one : shorter) {
+        const auto best = std::max_element(longer.begin(), longer.end(), [&](const Text& a, const Text& b) {
+            return likeness_by_endings(one, a) < likeness_by_endings(one, b);
+        });
+        const float alike = likeness_by_endings(one, *best);
+        if (alike < kSameQuestion) return;
+        sum += alike;
+        longer.erase(best);
+    }
+    if (sum < kAlikeInAll * static_cast<float>(shorter.size())) return;
+    const Text& more = longer.front();
+    const Side lacks = source_has ? Side::Target : Side::Source;
+    const size_t index = source_has ? target : source;
+    const Text members = members_in(more);
+    const bool by_switch = std::any_of(members.begin(), members.end(),
+                                       [&](const auto& one) { return switch_words_[lacks].contains(one); });
+    if (members.empty() || by_switch || !may_slip(source, target) || !uses_all(lacks, members) ||
+        is_said_near(lacks, index, members) || is_no_difference(source, target))
+        return;
+    MissingPlace place;
+    place.now = texts_.sides.source.written[source];
+    place.there = texts_.sides.target.written[target];
+    place.around = around(source, target);
+    constexpr float kWorth = 0.6f;
+    place.strength = kWorth * (0.5f + 0.5f * place.around);
+    out.push_back({std::move(place), more});
 }
 
 float TodaysDifferences::worth_of_slip(size_t source, size_t target) const {
@@ -253,6 +436,7 @@ float TodaysDifferences::worth_of_slip(size_t source, size_t target) const {
     const float sum = std::max(texts_.sides.source.weighed[source].sum, texts_.sides.target.weighed[target].sum);
     const Text here = words_of_statement(texts_.sides.source.written[source]),
                there = words_of_statement(texts_.sides.target.written[target]);
+    if (asks_for_null_alone(now) && asks_for_null_alone(then)) return 0;
     if (is_aside(here) || is_aside(there) || moves_memory(now) || sizes_launch(now) || differ_in_guards(now, then) ||
         CommonTexts::name_thread(now) || CommonTexts::name_thread(then))
         return 0;
@@ -260,6 +444,10 @@ float TodaysDifferences::worth_of_slip(size_t source, size_t target) const {
         is_alternative(texts_.sides.target, target, texts_.sides.source))
         return 0;
     if (differ_in_truth(now, then)) return 0.6f;
+    if (const size_t at = member_that_differs(now, then)) {
+        const bool known = uses_all(Side::Source, {then[at]}) && uses_all(Side::Target, {now[at]});
+        return known && sum >= kTelling ? 0.65f : 0;
+    }
     if (differs_by_a_slip(then, now))
         return sum >= kTelling && substance_of(then, now, texts_.known_there(Side::Source)) >= kSameStatement ? 0.38f
                                                                                                               : 0;
@@ -387,8 +575,12 @@ void TodaysDifferences::add_members(Side side, std::vector<MissingPlace>& out) c
             std::vector<std::string> names = names_in(Text(words.begin() + 4, words.end()));
             const bool has_names = !names.empty();  // of which the unit's own may be called otherwise
             std::erase_if(names, [&](const auto& one) { return texts_.own_names[side].contains(one); });
-            if (!has_names || any_there.contains(field) || !stands_beside_twin(here, there, side, places.front()))
-                continue;
+            const bool is_called_otherwise =
+                std::any_of(any_there.begin(), any_there.end(), [&, &own = field](const std::string& one) {
+                    return one == own || (one.size() >= kTellingName && own.starts_with(one)) ||
+                           (own.size() >= kTellingName && one.starts_with(own));
+                });
+            if (!has_names || is_called_otherwise || !stands_beside_twin(here, there, side, places.front())) continue;
             names.push_back(field);
             if (!uses_all(other(side), names)) continue;
             MissingPlace place = place_of(side, places.front());
@@ -396,6 +588,17 @@ void TodaysDifferences::add_members(Side side, std::vector<MissingPlace>& out) c
             out.push_back(std::move(place));
         }
     }
+}
+
+/// True where the one of two values that is a plain name of the side was given by a call which the other one has, too.
+bool TodaysDifferences::is_set_by_call_of(Side side, const Text& now, const Text& then) const {
+    const Text &name = now.size() == 1 ? now : then, &value = now.size() == 1 ? then : now;
+    const auto call = std::find(value.begin(), value.end(), "(");
+    if (call == value.end() || call == value.begin()) return false;
+    return std::any_of(texts_.sides[side].words.begin(), texts_.sides[side].words.end(), [&](const Text& words) {
+        return words.size() > 3 && words != name && has_all(words, {name[0], *std::prev(call)}) &&
+               (words[1] == "=" ? words[0] == name[0] : words[1] == "(");
+    });
 }
 
 void TodaysDifferences::add_member_values(std::vector<MissingPlace>& out) const {
@@ -417,7 +620,8 @@ void TodaysDifferences::add_member_values(std::vector<MissingPlace>& out) const 
             const std::vector<size_t>& others = twin->second.at(field);
             const Text now = value(Side::Source, places), then = value(Side::Target, others);
             const bool name_and_call = (now.size() == 1 && has_call(then)) || (then.size() == 1 && has_call(now));
-            if (!name_and_call || !uses_all(Side::Target, names_in(now)) || !uses_all(Side::Source, names_in(then)) ||
+            if (!name_and_call || is_set_by_call_of(now.size() == 1 ? Side::Source : Side::Target, now, then) ||
+                !uses_all(Side::Target, names_in(now)) || !uses_all(Side::Source, names_in(then)) ||
                 names_in(now).empty() || names_in(then).empty() || is_no_difference(places[0], others[0]))
                 continue;
             MissingPlace place;

@@ -53,9 +53,17 @@ private:
     bool is_said_near(Side side, size_t index, const Text& more) const;
     float around(size_t source, size_t target) const;
 
+    /// A call that both sides make with the same arguments but for an operand that one has more.
+    void add_calls(std::vector<Slip>& out) const;
+    /// A condition that asks for one thing more on one side.
+    void add_conditions(std::vector<Slip>& out) const;
+    void add_condition(size_t source, size_t target, std::vector<Slip>& out) const;
+    bool may_slip(size_t source, size_t target) const;
+
     void add_guards(Side side, std::vector<MissingPlace>& out) const;
     void add_members(Side side, std::vector<MissingPlace>& out) const;
     bool stands_beside_twin(const Members& here, const Members& there, Side side, size_t index) const;
+    bool is_set_by_call_of(Side side, const Text& now, const Text& then) const;
     void add_member_values(std::vector<MissingPlace>& out) const;
     Members members_of(Side side) const;
     MissingPlace place_of(Side side, size_t index) const;

@@ -37,6 +37,7 @@ double shown_certainty(const AuditItem& item) {
 
 /// Which of the two places has the edit.
 std::string place_of_unit(const AuditItem& item, Side side) {
+    if (item.id[side].empty()) return "no counterpart is known";
     const auto [file, name] = split_id(item.id[side]);
     return fmt::format("{}:{}, {}", file, item.line[side], name);
 }
@@ -89,8 +90,10 @@ std::string patch_lines(std::string_view patch, std::string_view indent, Sink si
 template <class Line>
 void tell(const AuditItem& item, const char* other_side, const Line& line) {
     line("commit", commit_of(item));
-    line(item.commit ? "edited" : "source", place_of_unit(item, item.edited));
-    line(item.commit ? other_side : "target", place_of_unit(item, other(item.edited)));
+    const char* const own = item.edited == Side::Source ? "source" : "target";
+    const char* const across = item.edited == Side::Source ? "target" : "source";
+    line(item.commit ? "edited" : own, place_of_unit(item, item.edited));
+    line(item.commit ? other_side : across, place_of_unit(item, other(item.edited)));
     line("witness", witness_of(item));
     line("also", more_pairs(item));
     for (const std::string& why : item.why) line("why", why);
@@ -104,8 +107,11 @@ std::string audit_json(const Audit& audit) {
         ordered_json same = ordered_json::array();
         for (const auto& [source, target] : item.same) same.push_back({{"source", source}, {"target", target}});
         const auto of_commit = [&](auto value) { return item.commit ? ordered_json(value()) : ordered_json(nullptr); };
-        items.push_back({{"source", item.id.source},
-                         {"target", item.id.target},
+        const auto id = [&](Side side) {
+            return item.id[side].empty() ? ordered_json(nullptr) : ordered_json(item.id[side]);
+        };
+        items.push_back({{"source", id(Side::Source)},
+                         {"target", id(Side::Target)},
                          {"commit", of_commit([&] { return item.commit->id; })},
                          {"date", of_commit([&] { return day_of(item.commit->time); })},
                          {"summary", item.summary},
