@@ -180,6 +180,7 @@ private:
             }
         if (edits.equivalent && declared_alike()) out_.standing = Standing::Equivalent;
         out_.missing = std::move(edits.differences);
+        out_.left = edits.left;
         out_.displaced = edits.displaced && !edits.equivalent;
         if (edits.equivalent && out_.standing != Standing::Equivalent)
             out_.missing = {

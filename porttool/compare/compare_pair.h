@@ -46,6 +46,7 @@ struct PairComparison {
     BySide<Edit> edits;  ///< what changes a value, as written; all of an idle edit; empty where a side did
                          ///< not change or `before` is not known
     std::vector<std::string> missing;  ///< EditsDiffer: sentences, what one side did and the other did not
+    BySide<size_t> left = {0, 0};      ///< EditsDiffer: statements of each side's edit that the other's lacks
     bool displaced = false;            ///< EditsDiffer: what both did is the same, and surely at another place
     std::string values;                ///< ValuesDiffer: what each side has, a sentence
     bool differed_before = false;      ///< ValuesDiffer: so they did when they were last in step

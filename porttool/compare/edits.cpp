@@ -40,7 +40,11 @@ EditComparison compare_in_manner(const PairTexts& texts, const Meaning& meaning,
     out.equivalent = same_replacements(source, target);
     if (out.equivalent) return out;
     const bool alike = same_words(source, target);
-    if (!alike) out.differences = missing_statements(source, target);
+    if (!alike) {
+        MissingStatements missing = missing_statements(source, target);
+        out.differences = std::move(missing.sentences);
+        out.left = missing.count;
+    }
     if (out.differences.empty()) {
         PositionDifferences positions = other_positions(source, target);
         out.differences = std::move(positions.sentences);

@@ -9,6 +9,7 @@
 #include "porttool/compare/statement_edit.h"
 #include "porttool/language/dialect.h"
 #include "porttool/normal/unit_state.h"
+#include "porttool/scan/side.h"
 
 namespace porttool {
 
@@ -27,6 +28,7 @@ struct Edit {
 struct EditComparison {
     bool equivalent = false;
     std::vector<std::string> differences;  ///< sentences: what is missing on which side
+    BySide<size_t> left = {0, 0};          ///< statements of each side's edit that the other's lacks
     bool displaced = false;                ///< what both did is the same, and surely at another place
 };
 

@@ -447,23 +447,26 @@ bool same_replacements(const StatementEdit& source, const StatementEdit& target)
     return !here.empty() && here == replacements_of(target);
 }
 
-std::vector<std::string> missing_statements(const StatementEdit& source, const StatementEdit& target) {
+MissingStatements missing_statements(const StatementEdit& source, const StatementEdit& target) {
     const auto said_of = [&](const BySide<LostAndGained>& left) {
-        std::vector<std::string> out;
-        if (std::string closest = closest_difference(source, target, left); !closest.empty())
-            out.push_back(std::move(closest));
+        MissingStatements out;
+        std::vector<std::string>& said = out.sentences;
         const auto source_gained = chosen_keys(source.now, left.source.gained),
                    target_gained = chosen_keys(target.now, left.target.gained);
         const auto source_lost = chosen_keys(source.before, left.source.lost),
                    target_lost = chosen_keys(target.before, left.target.lost);
-        name_missing(source.now, left.source.gained, target_gained, source_lost, true, "gained", out);
-        name_missing(source.before, left.source.lost, target_lost, source_gained, true, "lost", out);
-        name_missing(target.now, left.target.gained, source_gained, target_lost, false, "gained", out);
-        name_missing(target.before, left.target.lost, source_lost, target_gained, false, "lost", out);
+        name_missing(source.now, left.source.gained, target_gained, source_lost, true, "gained", said);
+        name_missing(source.before, left.source.lost, target_lost, source_gained, true, "lost", said);
+        out.count.source = said.size();
+        name_missing(target.now, left.target.gained, source_gained, target_lost, false, "gained", said);
+        name_missing(target.before, left.target.lost, source_lost, target_gained, false, "lost", said);
+        out.count.target = said.size() - out.count.source;
+        if (std::string closest = closest_difference(source, target, left); !closest.empty())
+            said.insert(said.begin(), std::move(closest));
         return out;
     };
-    std::vector<std::string> out = said_of(left_by_edits(source, target));
-    return out.empty() ? said_of({{source.lost, source.gained}, {target.lost, target.gained}}) : out;
+    MissingStatements out = said_of(left_by_edits(source, target));
+    return out.sentences.empty() ? said_of({{source.lost, source.gained}, {target.lost, target.gained}}) : out;
 }
 
 }  // namespace porttool

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "porttool/compare/statement_edit.h"
+#include "porttool/scan/side.h"
 
 namespace porttool {
 
@@ -21,9 +22,12 @@ namespace porttool {
 /// texts are laid side by side to be as alike as can be.
 bool same_words(const StatementEdit& source, const StatementEdit& target);
 
-/// Sentences: which statements one side lost or gained and the other did not, and of one that only moved in which
-/// block.
-std::vector<std::string> missing_statements(const StatementEdit& source, const StatementEdit& target);
+/// What one side's edit did and the other's did not.
+struct MissingStatements {
+    std::vector<std::string> sentences;  ///< which statements came or went, and of one that only moved in which block
+    BySide<size_t> count = {0, 0};       ///< how many statements that each side lost or gained are told of
+};
+MissingStatements missing_statements(const StatementEdit& source, const StatementEdit& target);
 
 /// True if all that both sides did was to put some words in the place of others wherever these stood: the same words in
 /// the same place of others on both sides, and none is left.

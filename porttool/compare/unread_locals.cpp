@@ -98,7 +98,8 @@ private:
         std::set<std::string_view> declared;
         for (size_t i = 0; i < text_.size(); ++i) {
             if (gone[i]) continue;
-            if (is_word_token(text_[i])) ++times[text_[i]];
+            const bool is_member = i > 0 && is_one_of(text_[i - 1], {".", "->"});
+            if (is_word_token(text_[i]) && !is_member) ++times[text_[i]];
             if (!starts_[i]) continue;
             if (!add_declared(i, gone, pieces, declared)) add_given(i, pieces);
         }

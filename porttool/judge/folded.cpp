@@ -142,7 +142,10 @@ std::string what_others_are(const Finding& first) {
             if (is_of_macros(first)) return "more findings are about such macros";
             if (is_of_branches(first.details)) return "more pairs have parts in other branches for the compiler";
             if (!types_exchanged(first.details).empty()) return "more pairs take other types, too";
-            if (is_in_doubt(first)) return "more pairs have edits that have little to do with their other side";
+            if (is_in_doubt(first))
+                return first.rule == Rule::PortDiffers
+                           ? "more pairs were edited on both sides, each in its own way"
+                           : "more pairs have edits that have little to do with their other side";
             if (!first.causes.empty() && first.causes.front().starts_with(kBuiltWith))
                 return "more pairs only add what is built with it";
             if (!first.causes.empty())

@@ -215,9 +215,9 @@ private:
     }
 
     /// Where most of what stood beside it has no port, one more without is no news: in its file, or for what came with
-    /// a file of its own, in the folder. A kernel is held against kernels alone: of the many that its folder has,
-    /// fewer than a quarter may have one, and of those of its file, and of those of its first word there (`op_...`),
-    /// fewer than half.
+    /// a file of its own, in the folder. A kernel is held against kernels alone: of the four and more that its file
+    /// has, or of the many of its folder, fewer than a quarter may have one, and of those of its file, and of those of
+    /// its first word there (`op_...`), fewer than half.
     void find_barren_places() {
         struct Place {
             size_t watched = 0, known = 0;
@@ -245,13 +245,18 @@ private:
         constexpr size_t kManyKernels = 32;
         for (const UnitState* unit : units_.unported) {
             if (unit->kind == UnitKind::Kernel) {
-                const Place& place = kernels[folder(*unit)];
+                const Place &place = kernels[folder(*unit)], &in_file = kernels_in_files[unit->file];
                 const auto has_ports = [](const Place& one) { return one.watched > 0 && 2 * one.watched >= one.known; };
-                const bool has_company = has_ports(kernels_in_files[unit->file]) ||
-                                         has_ports(families[{folder(*unit), first_word(leaf(*unit))}]);
-                if (place.known >= kManyKernels && 4 * place.watched < place.known && !has_company)
-                    told_.emplace(unit, fmt::format("{} of the {} kernels that its folder had before have none either",
-                                                    place.known - place.watched, place.known));
+                const bool has_company =
+                    has_ports(in_file) || has_ports(families[{folder(*unit), first_word(leaf(*unit))}]);
+                const auto is_barren = [](const Place& one, size_t least) {
+                    return one.known >= least && 4 * one.watched < one.known;
+                };
+                const bool of_file = is_barren(in_file, kLeast);
+                const Place& of = of_file ? in_file : place;
+                if ((of_file || is_barren(place, kManyKernels)) && !has_company)
+                    told_.emplace(unit, fmt::format("{} of the {} kernels that its {} had before have none either",
+                                                    of.known - of.watched, of.known, of_file ? "file" : "folder"));
                 continue;
             }
             const Place& in_file = files[unit->file];

@@ -317,7 +317,7 @@ void PairJudge::report_both(const JudgedPair& pair, const PairComparison& found,
     Finding& finding = findings_.add(Rule::PortDiffers, pair, change, found.missing.front());
     finding.details = found.missing;
     if (finding.details.size() > 1) finding.message += " (and " + std::to_string(finding.details.size() - 1) + " more)";
-    if (finding.level > Level::Note && !found.displaced) two_sided_.weigh(pair, before, finding);
+    if (finding.level > Level::Note && !found.displaced) two_sided_.weigh(pair, found, before, finding);
 }
 
 }  // namespace porttool

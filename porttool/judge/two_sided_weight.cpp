@@ -106,6 +106,26 @@ bool are_one_without_switches(const SwitchlessTexts& said, const Dialect& dialec
             !edits_contradict(texts, dialect));
 }
 
+/// What nothing settled: a port that did the source's edit and more has changed alone in that, and edits of which more
+/// than half is not the other's cannot be held against each other.
+///
+///                 source                                   port
+///     error       k = a * 2;  ->  k = a * 3;               k = a * 2;  ->  k = a * 4;
+///     warning     load(a); f(a);  ->  prefetch(a); g(a);   read(b); go(b);  ->  Task t = plan(b); t.run(); log(t);
+void weigh_what_is_left(const JudgedPair& pair, const PairComparison& found, const PairTexts& texts, Finding& finding) {
+    constexpr size_t kMore = 3;   // statements that are no slip of the port's
+    constexpr size_t kLeast = 5;  // statements of both sides that are no two edits of one line
+    const auto is_most = [&](Side side) {
+        return 2 * found.left[side] >= found.edits[side].lost.size() + found.edits[side].gained.size();
+    };
+    if (found.left.source == 0 && found.left.target >= kMore)
+        weaken(pair, finding, Level::Warning, "the port did what the source did, and more");
+    else if (found.left.source + found.left.target >= kLeast && is_most(Side::Source) && is_most(Side::Target) &&
+             words_edited(texts.source_before, texts.source_now) >= kNoSlip &&
+             words_edited(texts.target_before, texts.target_now) >= kNoSlip)
+        doubt(pair, finding, "hardly anything of one edit has its like in the other");
+}
+
 }  // namespace
 
 /// True if the branches for the compiler that only one side has may be under a wrong switch: one that nothing else of
@@ -128,7 +148,8 @@ bool TwoSidedWeight::has_doubtful_switch(const PairTexts& texts, const JudgedPai
 
 /// Edits of both sides of a function that seem to be one are a note. Beside the text, how the files declare what it
 /// uses may have changed.
-void TwoSidedWeight::weigh(const JudgedPair& pair, const BySide<NormalText>& before, Finding& finding) {
+void TwoSidedWeight::weigh(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before,
+                           Finding& finding) {
     BySide<Words> then, now;
     bool is_declared_alike = true;
     for (const Side side : kBothSides) {
@@ -191,6 +212,8 @@ void TwoSidedWeight::weigh(const JudgedPair& pair, const BySide<NormalText>& bef
     else if (drives_device(then.source) && drives_device(then.target) &&
              words_edited(then.source, now.source) >= kNoSlip && words_edited(then.target, now.target) >= kNoSlip)
         weigh(Level::Warning, "both allocate, copy or launch, each in its own way");
+    else
+        weigh_what_is_left(pair, found, texts, finding);
 }
 
 }  // namespace porttool

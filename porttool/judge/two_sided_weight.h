@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "porttool/compare/compare_pair.h"
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/judge.h"
 #include "porttool/judge/swept_names.h"
@@ -17,7 +18,7 @@ public:
 
     /// Edits of both sides of a function that seem to be one are a note. Beside the text, how the files declare what it
     /// uses may have changed.
-    void weigh(const JudgedPair& pair, const BySide<NormalText>& before, Finding& finding);
+    void weigh(const JudgedPair& pair, const PairComparison& found, const BySide<NormalText>& before, Finding& finding);
 
 private:
     bool has_doubtful_switch(const PairTexts& texts, const JudgedPair& pair) const;

@@ -1036,6 +1036,8 @@ TEST(QuietGate, AKernelOfAFolderWithFewPorts) {
     EXPECT_EQ(after(40, 9, "s/k.cu"), Loud{"unported s/k.cu:fresh"}) << "those beside it have ports";
     EXPECT_EQ(after(40, 10), told) << "a quarter of them has one";
     EXPECT_EQ(after(17, 1), told) << "so few tell nothing";
+    EXPECT_EQ(after(6, 1, "s/alone.cu"), Loud{}) << "none of its file has one";
+    EXPECT_EQ(after(4, 1, "s/alone.cu"), Loud{"unported s/alone.cu:fresh"}) << "three tell nothing";
 
     Texts texts;
     std::vector<std::string> pairs;
@@ -1560,6 +1562,8 @@ TEST(QuietGate, NamesThatNothingReads) {
     EXPECT_EQ(level("const int all = rows.size();", "const int all = 2 * n;"), "note");
     EXPECT_EQ(level("float gain, drop, spare;", "float gain, drop, spare, more;"), "note");
     EXPECT_EQ(level("  spare = drop;\n", "  spare = drop;\n  const lib::Table* const all_of = rows.all;\n"), "note");
+    EXPECT_EQ(level("  spare = drop;\n", "  spare = drop;\n  const lib::Table* const drops = rows.drops;\n"), "note")
+        << "a member of its name is another thing";
     EXPECT_EQ(level("  spare = drop;\n", "  spare = drop;\n  Table* all_of = rows.take();\n"), "error");
     EXPECT_EQ(level("  spare = drop;\n", "  spare = drop;\n  Guard guard = rows.all;\n"), "error")
         << "which may do something when it goes";

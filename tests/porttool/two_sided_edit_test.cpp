@@ -68,6 +68,36 @@ TEST(TwoSidedEdit, AStatementIsSaidAsAllOthersThatDifferInANameAre) {
     for (const TwoSided& row : rows) EXPECT_EQ(rules_of(report_on(row)), row.rules) << row.what;
 }
 
+/// A function of five statements, with what stands in their midst on each side.
+std::string five(const std::string& head, const std::string& midst) {
+    return "void f(float* y, int n) { " + head + " open(y, n); " + midst + " shut(y, n); y[0] = 1.0f; }";
+}
+
+TEST(TwoSidedEdit, WhatIsLeftOfTwoEditsTellsHowMuchTheyCount) {
+    const std::string a = "load(y); scale(y, n);", b = "Row row = rows.take(); row.bind(pool);";
+    const auto level = [&](const std::string& source_now, const std::string& target_now, const std::string& there) {
+        const TwoSided row{"", "k.cpp", "k.cpp", {five("", a), five("", there)}, {source_now, target_now}, {}};
+        const auto report = report_on(row);
+        if (report["findings"].empty()) return std::string("nothing");
+        EXPECT_EQ(report["findings"][0]["rule"], "port-differs");
+        return report["findings"][0]["level"].get<std::string>();
+    };
+    const std::string unlike = "Plan plan = planner.of(shape); plan.run(keys); plan.log(sink);";
+    EXPECT_EQ(level(five("", "fetch_ahead(y, 4 * n, near); mix(y, n, far); settle(y, near);"), five("", unlike), b),
+              "warning")
+        << "nothing in common";
+    // A slip in one edit of both is none of these.
+    EXPECT_EQ(level(five("", "load(y); scale(y, 2 * n);"), five("", "load(y); scale(y, 3 * n);"), a), "error");
+    EXPECT_EQ(level(five("", "load(y); scale(y, 2 * n); mark(y);"), five("", "load(y); scale(y, 2 * n); mark(n);"), a),
+              "error");
+    // The port did the same, and more.
+    const std::string same = "load(y); scale(y, 2 * n);";
+    EXPECT_EQ(level(five("", same), five("", same + " count(n); log(y, n); tell(y);"), a), "warning");
+    EXPECT_EQ(level(five("", same), five("", same + " count(n);"), a), "error") << "a statement may be a slip";
+    EXPECT_EQ(level(five("", same + " count(n); log(y, n); tell(y);"), five("", same), a), "error")
+        << "what the source did more is owed";
+}
+
 TEST(TwoSidedEdit, InTheMannerOfEachLanguage) {
     const std::vector<TwoSided> rows = {
         {"HIP's names",
