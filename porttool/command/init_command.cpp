@@ -251,6 +251,7 @@ Outcome run_init(const Options& options, Workplace& place) {
     now.states = read_states(now.project);  // not before: what the matcher needs is as large
     LockFile lock = first_lock(matching, now.states, sets);
     note_macros(lock, now.files(), now.states);
+    now.project.source = now.project.target = {};  // as large as the states, and not asked for any more
     tell_differences(accept_differences(lock, now.states, Dialect(), today()), place);
     std::vector<AssessedPair> assessed;
     if (options.assess) assessed = assess_pairs(lock, now.states, Dialect());

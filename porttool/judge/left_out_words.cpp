@@ -42,6 +42,14 @@ std::optional<LeftOutAs> left_out_as(std::string_view word, const Words& text, c
     return std::nullopt;
 }
 
+/// `#define KEPT static`: a macro that only says how something is declared, of which MacroEdits tells nothing.
+bool only_says_how_declared(const NewWord& said) {
+    const uint32_t first = said.said.name_token + 1, end = said.said.tokens.end;
+    for (uint32_t at = first; at < end; ++at)
+        if (!word_is(said.file->lexed.view(at), kPromise | kHeadPromise | kDropped)) return false;
+    return said.said.kind == SaidKind::Macro && first < end;
+}
+
 /// True if all arguments of a macro but the first do nothing by themselves: names, members and literals.
 bool has_plain_rest(const LexedText& lexed, uint32_t at, uint32_t end) {
     constexpr uint32_t kLongest = 256;  // tokens
@@ -126,6 +134,9 @@ std::vector<LeftOutWords::Changed> LeftOutWords::changed_in(const JudgedPair& pa
         if (!text) text = user->text.words(), without = without_asides(*text);
         std::optional<LeftOutAs> as = left_out_as(word, *text, *without, dialect_);
         if (!as && !in_body && !is_told && unit->kind != UnitKind::Constant) as = LeftOutAs::Word;
+        if (const auto all_said = all.by_word.find(word); !as && in_body && all_said != all.by_word.end())
+            for (const NewWord* one : all_said->second)
+                if (only_says_how_declared(*one)) as = LeftOutAs::Word;
         if (!as) continue;
         for (const Said& said : harmful(side, {word, *as, in_body, plain})) {
             const std::string told = " " + std::string(said.what->word()) + ":";

@@ -175,10 +175,11 @@ const NewNames::Fresh& NewNames::fresh(Side side) {
         if (all.count(one.word) < kMostAlike) all.emplace(one.word, &one);
     };
     for (const Meaning& one : out.meanings) {
-        const bool is_macro_word = one.said != nullptr && one.said->said.kind == Kind::Macro;
-        if (!is_macro_word) keep(out.by_word, one);
+        const bool of_unit_alone =
+            one.said != nullptr && (one.said->said.kind == Kind::Macro || one.said->said.kind == Kind::Attributed);
+        if (!of_unit_alone) keep(out.by_word, one);
         const bool is_second = one.reason == Reason::Doubled || one.reason == Reason::Competes;
-        if (is_macro_word || is_second || one.stands_for_unit) keep(out.by_name, one);
+        if (of_unit_alone || is_second || one.stands_for_unit) keep(out.by_name, one);
     }
     return out;
 }
@@ -258,6 +259,7 @@ void NewNames::add_words(Side side, Fresh& out) const {
             continue;
         }
         const std::string word(one.word());
+        if (one.said.kind == Kind::Attributed && !has.contains(word)) continue;
         const bool stands_for_unit = one.said.kind == Kind::Linked || one.said.kind == Kind::Pragma ||
                                      (one.said.kind == Kind::Declared && has.contains(word) && is_definition(one) &&
                                       places.contains(place_of(one.file->path, *one.said.scope, word)));
@@ -302,6 +304,9 @@ bool NewNames::means(Side side, const Meaning& meaning, const UnitState& user, c
     const std::string_view after = at + 1 < text.size() ? text[at + 1] : std::string_view();
     if (meaning.unit == &user || before == "." || before == "->" || before == "::") return false;
     const Fresh& all = *fresh_[side];
+    if (meaning.said != nullptr && meaning.said->said.kind == Kind::Attributed)  // of its own file the text tells
+        return meaning.said->file->path != user.file && is_included(side, meaning.said->file->path, user) &&
+               is_seen(*meaning.said->said.scope, user, all);
     if (meaning.said != nullptr)
         return (meaning.said->file->path == user.file || is_header(meaning.said->file->path)) &&
                is_seen(*meaning.said->said.scope, user, all);
@@ -323,6 +328,11 @@ bool NewNames::means(Side side, const Meaning& meaning, const UnitState& user, c
 bool NewNames::sees_definition(Side side, const Meaning& meaning, const UnitState& user) const {
     const std::string& file = meaning.unit->file;
     if (meaning.unit == &user || file == user.file) return meaning.unit != &user;
+    return is_included(side, file, user);
+}
+
+/// True if a unit's file includes a header.
+bool NewNames::is_included(Side side, const std::string& file, const UnitState& user) const {
     if (!is_header(file) || !facts_.files) return false;
     if (!includes_[side]) includes_[side].emplace((*facts_.files)[side].macros());
     return includes_[side]->sees(user.file, file);
@@ -372,7 +382,9 @@ void NewNames::tell(JudgedPair& pair, Side side, const Meaning& meaning) {
     finding.message =
         fmt::format("{} says something else, unedited: ", side == Side::Source ? "the source" : "the port") +
         change_of(meaning, said);
-    finding.remedy = "Give it another name; if it is meant so, run: porttool ignore " +
+    const bool is_attribute = said != nullptr && said->said.kind == Kind::Attributed;
+    finding.remedy = std::string(is_attribute ? "Say the same of the other side" : "Give it another name") +
+                     "; if it is meant so, run: porttool ignore " +
                      argument(pair.id.source + "=" + pair.id.target, finding) + " --reason TEXT";
     if (said != nullptr) finding.details.push_back("+ " + said->text());
     told_.tell(told_as, finding);
@@ -384,6 +396,7 @@ std::string NewNames::change_of(const Meaning& meaning, const NewWord* said) {
         said == nullptr ? "" : fmt::format("`{}` ({}:{})", said->text(), said->file->path, said->line());
     switch (meaning.reason) {
         case Reason::Said:
+            if (said->said.kind == Kind::Attributed) return fmt::format("{} is declared as {} now", word, place);
             return fmt::format("its word {} is {} now", word, place);
         case Reason::Opened:
             return fmt::format("its {} may be {} now, by {}", word, meaning.unit->id, place);

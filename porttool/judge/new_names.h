@@ -74,6 +74,7 @@ private:
     bool means(Side side, const Meaning& meaning, const UnitState& user, const NormalText& text, size_t at) const;
     static bool is_seen(const std::string& scope, const UnitState& user, const Fresh& fresh);
     const NewWord* opened_for(Side side, const Meaning& meaning, const UnitState& user) const;
+    bool is_included(Side side, const std::string& file, const UnitState& user) const;
     bool sees_definition(Side side, const Meaning& meaning, const UnitState& user) const;
     bool defines(Side side, const Meaning& meaning, const UnitState& unit) const;
     Uses changed_uses(const JudgedPair& pair, Side side);

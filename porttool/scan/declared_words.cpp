@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <optional>
 #include <string_view>
+#include <utility>
 
+#include "porttool/scan/attributes.h"
 #include "porttool/text/is_one_of.h"
 
 namespace porttool {
@@ -91,10 +93,42 @@ private:
         if (word(first) == "using") return read_using(first, end);
         if (word(first) == "namespace") return end > first + 2 ? add(first + 1, DeclaredWord::Kind::Type) : void();
         if (is_one_of(word(first), {"struct", "class", "union", "enum"}) && end <= first + 3) return;  // `struct Ray;`
+        const size_t before = out_.size();
         read_declarators(first, end,
                          word(first) == "typedef" ? DeclaredWord::Kind::Type
                          : is_linked()            ? DeclaredWord::Kind::Linked
                                                   : DeclaredWord::Kind::Declared);
+        if (out_.size() > before && out_[before].kind == DeclaredWord::Kind::Declared) read_attributes(first, end);
+    }
+
+    /// Those of a function's declaration that may change what it does.
+    void read_attributes(size_t first, size_t end) {
+        size_t name = end;  // of the function
+        std::vector<std::pair<size_t, size_t>> lists;
+        for (size_t i = first; i < end;) {
+            const bool in_brackets = word(i) == "[" && word(i + 1) == "[";
+            const size_t open = in_brackets ? i : i + 1;
+            if (in_brackets || (opens_attributes(word(i)) && word(open) == "(")) {
+                if (!is_idle(open + 1, past_brackets(open) - 1)) lists.emplace_back(i, past_brackets(open));
+                i = past_brackets(open);
+                continue;
+            }
+            if (word(i) == "(" && name == end && i > first + 1 && is_name(i - 1)) name = i - 1;
+            i = is_one_of(word(i), {"(", "[", "{"}) ? past_brackets(i) : i + 1;
+        }
+        for (const auto& [at, after] : lists)
+            if (name != end) add_attribute(name, at, std::min(after, end));
+    }
+
+    /// True if each attribute in a list is idle.
+    bool is_idle(size_t first, size_t end) const {
+        if (first < end && (word(first) == "(" || word(first) == "["))
+            return is_idle(first + 1, past_brackets(first) - 1);
+        for (size_t i = first; i < end; i = word(i) == "(" ? past_brackets(i) : i + 1) {
+            if (is_one_of(word(i), {",", "::", "("}) || word(i + 1) == "::") continue;
+            if (!is_name(i) || !is_idle_attribute(word(i))) return false;
+        }
+        return true;
     }
 
     /// True behind the `=` of a variable, as of `auto square = [](float x) {`.
@@ -181,6 +215,18 @@ private:
             print_ = Print(print);
         }
         out_.push_back({statement_[i], kind, {statement_.front(), statement_.back() + 1}, *print_, scopes_.back()});
+    }
+
+    void add_attribute(size_t name, size_t first, size_t end) {
+        Fingerprinter print;
+        print.add(*scopes_.back());
+        print.add(word(name));
+        for (size_t i = first; i < end; ++i) print.add(word(i));
+        out_.push_back({statement_[name],
+                        DeclaredWord::Kind::Attributed,
+                        {statement_[first], statement_[end - 1] + 1},
+                        Print(print),
+                        scopes_.back()});
     }
 
     void clear() {

@@ -3,6 +3,7 @@
 #include "porttool/scan/variables.h"
 
 #include "porttool/language/words.h"
+#include "porttool/scan/attributes.h"
 #include "porttool/text/is_one_of.h"
 
 namespace porttool {
@@ -71,8 +72,7 @@ private:
         for (uint32_t at = first; at < end;) {
             const bool in_brackets = word(at) == "[" && at + 1 < end && word(at + 1) == "[";
             const uint32_t open = in_brackets ? at : at + 1;
-            const bool has_word = !in_brackets && open < end && word(open) == "(" &&
-                                  is_one_of(word(at), {"__attribute__", "__attribute", "__declspec"});
+            const bool has_word = !in_brackets && open < end && word(open) == "(" && opens_attributes(word(at));
             const uint32_t after = next(open, end);
             if ((in_brackets || has_word) && after > open + 1 && !is_idle(open + 1, after - 1))
                 add(name, at, after, FileVariable::SaysOfFunction);
@@ -80,25 +80,15 @@ private:
         }
     }
 
-    /// True if each attribute in a list only says how a function is linked or inlined, or what is warned of. One that
-    /// makes another function of it is asked for elsewhere (declared_lines.h).
+    /// True if each attribute in a list is idle.
     bool is_idle(uint32_t first, uint32_t end) const {
         if (first < end && (word(first) == "(" || word(first) == "[")) return is_idle(first + 1, next(first, end) - 1);
         for (uint32_t at = first; at < end; at = next(at, end)) {
             const bool is_scope = at + 1 < end && word(at + 1) == "::";
             if (word(at) == "," || word(at) == "::" || is_scope || word(at) == "(") continue;
-            const std::string_view plain = without_underscores(word(at));
-            if (!is_name(at) ||
-                (!word_is(plain, kIdleAttribute) && !is_one_of(plain, {"format", "format_arg", "alias", "ifunc"})))
-                return false;
+            if (!is_name(at) || !is_idle_attribute(word(at))) return false;
         }
         return true;
-    }
-
-    /// `weak` of `__weak__`
-    static std::string_view without_underscores(std::string_view word) {
-        const bool has_both = word.size() > 4 && word.starts_with("__") && word.ends_with("__");
-        return has_both ? word.substr(2, word.size() - 4) : word;
     }
 
     /// `template __global__ void f<float, 4>(float*)`

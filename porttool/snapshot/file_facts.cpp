@@ -128,11 +128,15 @@ std::vector<Suppression> read_suppressions(ByteReader& in) {
 
 }  // namespace
 
+void visit_states(const ScannedFile& file, bool with_whole, const std::function<void(UnitState)>& visit) {
+    for (const Unit& unit : file.units) visit(unit_state(file, unit));
+    if (file.units.empty() || with_whole) visit(unit_state(file, whole_file_unit(file)));
+}
+
 std::vector<UnitState> states_of(const ScannedFile& file, bool with_whole) {
     std::vector<UnitState> out;
     out.reserve(file.units.size() + 1);
-    for (const Unit& unit : file.units) out.push_back(unit_state(file, unit));
-    if (file.units.empty() || with_whole) out.push_back(unit_state(file, whole_file_unit(file)));
+    visit_states(file, with_whole, [&](UnitState state) { out.push_back(std::move(state)); });
     return out;
 }
 

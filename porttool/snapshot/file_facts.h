@@ -58,8 +58,9 @@ private:
     std::vector<std::string> includes_;
 };
 
-/// The states of a file's units, the whole file last where it is one (`with_whole`, or where there are no others), and
-/// that of one of them.
+/// The states of a file's units, the whole file last where it is one (`with_whole`, or where there are no others): one
+/// after the other, as a file can have half a million, or all; and that of one of them.
+void visit_states(const ScannedFile& file, bool with_whole, const std::function<void(UnitState)>& visit);
 std::vector<UnitState> states_of(const ScannedFile& file, bool with_whole);
 UnitState state_of(const ScannedFile& file, uint32_t unit);
 

@@ -56,13 +56,11 @@ void KnownFile::each_name(uint32_t unit, const std::function<void(std::string_vi
     facts_.each_name(unit, visit);
 }
 
-std::vector<UnitState> states_of(const std::shared_ptr<const KnownFile>& file) {
-    std::vector<UnitState> out;
+void add_states(const std::shared_ptr<const KnownFile>& file, UnitsById& out) {
     const FileFacts& facts = file->facts();
-    out.reserve(facts.units());
     for (uint32_t i = 0; i < facts.units(); ++i) {
         const KnownUnit unit = facts.unit(i);
-        UnitState& state = out.emplace_back();
+        UnitState state;
         state.id.reserve(file->path().size() + 1 + unit.name.size());
         state.id.append(file->path()).append(":").append(unit.name);
         state.file = file->path();
@@ -72,8 +70,8 @@ std::vector<UnitState> states_of(const std::shared_ptr<const KnownFile>& file) {
         state.end_line = unit.end_line;
         state.prints = unit.prints;
         state.text = UnitText(file, i, unit.words);
+        out.add(std::move(state));
     }
-    return out;
 }
 
 const std::string& FilesOfSide::path(size_t file) const {

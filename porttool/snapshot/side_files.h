@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "porttool/normal/units_by_id.h"
 #include "porttool/snapshot/file_facts.h"
 
 namespace porttool {
@@ -47,8 +48,8 @@ private:
 
 using KnownSide = std::vector<std::shared_ptr<const KnownFile>>;
 
-/// The states of a known file's units, their texts still with it.
-std::vector<UnitState> states_of(const std::shared_ptr<const KnownFile>& file);
+/// Adds the states of a known file's units, their texts still with it.
+void add_states(const std::shared_ptr<const KnownFile>& file, UnitsById& out);
 
 /// The files of one side, as a judgement asks for them: all scanned, or known by their facts. What they are made of
 /// must outlive it.

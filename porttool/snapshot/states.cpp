@@ -3,6 +3,8 @@
 #include "porttool/snapshot/states.h"
 
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "porttool/scan/scan.h"
 #include "porttool/text/parallel.h"
@@ -10,19 +12,22 @@
 namespace porttool {
 namespace {
 
-void add(UnitsById& states, std::vector<UnitState> of_file) {
-    for (UnitState& state : of_file) states.add(std::move(state));
-}
-
 void add_states(UnitsById& states, const std::vector<ScannedFile>& files, const std::set<std::string>& named,
                 const std::set<std::string>& same) {
+    const auto visit_file = [&](const ScannedFile& file, const auto& visit) {
+        if (!same.contains(file.path)) visit_states(file, named.contains(unit_id(file, whole_file_unit(file))), visit);
+    };
+    const auto add = [&](UnitState state) { states.add(std::move(state)); };
+    if (files.size() < kFilesWorthThreads) {  // one of them may be as large as many, and its units stand here once
+        for (const ScannedFile& file : files) visit_file(file, add);
+        return;
+    }
     std::vector<std::vector<UnitState>> of_files(files.size());
-    in_parallel(files.size(), files.size() >= kFilesWorthThreads, [&](size_t i) {
-        const ScannedFile& file = files[i];
-        if (!same.contains(file.path))
-            of_files[i] = states_of(file, named.contains(unit_id(file, whole_file_unit(file))));
+    in_parallel(files.size(), true, [&](size_t i) {
+        visit_file(files[i], [&](UnitState state) { of_files[i].push_back(std::move(state)); });
     });
-    for (std::vector<UnitState>& of_file : of_files) add(states, std::move(of_file));
+    for (std::vector<UnitState>& of_file : of_files)
+        for (UnitState& state : std::exchange(of_file, {})) add(std::move(state));
 }
 
 }  // namespace
@@ -39,7 +44,7 @@ std::set<std::string> named_ids(const MapFile& map) {
 States read_states(const BySide<KnownSide>& files) {
     States states;
     for (const Side side : kBothSides)
-        for (const auto& file : files[side]) add(states[side], states_of(file));
+        for (const auto& file : files[side]) add_states(file, states[side]);
     return states;
 }
 

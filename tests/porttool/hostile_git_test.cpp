@@ -604,6 +604,67 @@ TEST_F(HostileGit, ASecondDefinitionIsTold) {
     EXPECT_EQ(told(unit, "#ifdef NEVER\n" + unit + "#endif\n"), 1);
 }
 
+/// Attributes of a function's declaration in a header that its file includes.
+TEST_F(HostileGit, AnAttributeThatAHeaderAddsIsTold) {
+    const std::string unit =
+        "float weight_of(float cosine, float width) {\n    float w = cosine * width;\n    return w * 0.25f;\n}\n";
+    const std::string user = "float shade_of(float x) {\n    return weight_of(x, 2.0f) + 1.0f;\n}\n";
+    const std::string there = "[[gnu::pure]] float shade_of(float x);\nfloat weight_of(float, float);\n";
+    write("src/k.cu", "#include \"more.h\"\n" + unit + user);
+    write("src/more.h", there);
+    write("port/k.cpp", "#include \"more.h\"\n" + unit + user);
+    write("port/more.h", there);
+    start();
+    const std::string head = "float weight_of(float cosine, float width)";
+    const auto told = [&](const std::string& header, const std::string& of_source = "") {
+        write("port/more.h", header);
+        write("src/more.h", there + of_source);
+        const auto got = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
+        return std::count_if(got["findings"].begin(), got["findings"].end(), [](const auto& one) {
+            return one["rule"] == "target-changed" && one["level"] != "note";
+        });
+    };
+    const std::string weak = "__attribute__((weak)) " + head + ";\n";
+    EXPECT_EQ(told(there + weak), 1);
+    EXPECT_EQ(told(there + head + " __attribute__((noinline, optimize(\"fast-math\")));\n"), 1);
+    EXPECT_EQ(told(there + "[[gnu::target(\"fma\")]] " + head + ";\n"), 1);
+    EXPECT_EQ(told(replaced(there, "float weight_of", "__declspec(noalias) float weight_of")), 1) << "one was there";
+    EXPECT_EQ(told(replaced(there, "gnu::pure", "gnu::const")), 1) << "another one";
+    EXPECT_EQ(told(there + weak + replaced(weak, "weight_of", "shade_of")), 2);
+    // What says nothing new.
+    EXPECT_EQ(told(there + head + ";\n"), 0);
+    EXPECT_EQ(told(there + "[[nodiscard]] " + head + " __attribute__((noinline, visibility(\"hidden\")));\n"), 0);
+    EXPECT_EQ(told(there + "__attribute__((weak)) float of_another(float weight_of);\n"), 0);
+    EXPECT_EQ(told(replaced(there, "shade_of(float x)", "shade_of(float y)")), 0) << "a parameter has another name";
+    EXPECT_EQ(told("float weight_of(float, float);\n[[gnu::pure]] float shade_of(float x);\n"), 0) << "moved";
+    EXPECT_EQ(told(there + "namespace app {\n" + weak + "}\n"), 0) << "another function";
+    EXPECT_EQ(told(there + weak, replaced(weak, "float width", "float width_of_lobe")), 0) << "on both sides";
+    write("port/z.h", weak);
+    EXPECT_EQ(told(there), 0) << "that nobody includes";
+}
+
+/// A macro within a body that only says how something is declared.
+TEST_F(HostileGit, AMacroThatSaysHowSomethingIsDeclaredIsToldWhereItSaysAnother) {
+    const std::string unit =
+        "#include \"common.h\"\nKEPT_IN float shade(float albedo) {\n    STORED int n = 0;\n    n = n + 3;\n"
+        "    return albedo * 0.5f + float(n);\n}\n";
+    const std::string before = "#pragma once\n#define STORED register\n#define KEPT_IN inline\n";
+    write("src/s.cu", unit);
+    write("src/common.h", before);
+    write("port/s.cpp", replaced(unit, "#include \"common.h\"\nKEPT_IN ", "inline "));
+    start();
+    const auto is_told = [&](const std::string& stored, const std::string& kept_in) {
+        write("src/common.h", "#pragma once\n#define STORED " + stored + "\n#define KEPT_IN " + kept_in + "\n");
+        return porttool({"check", "--base", "main"}).exit_code == 1;
+    };
+    EXPECT_TRUE(is_told("static", "inline"));
+    EXPECT_TRUE(is_told("static const", "inline"));
+    EXPECT_FALSE(is_told("register const", "inline"));
+    EXPECT_FALSE(is_told("register", "static inline"));
+    EXPECT_FALSE(is_told("register", "__forceinline__"));
+    EXPECT_FALSE(is_told("register", "inline"));
+}
+
 TEST_F(HostileGit, ANewMeaningOfAWordIsTold) {
     const std::string device =
         "struct Vec {\n    float x, y;\n};\ntypedef float real;\n"
