@@ -15,19 +15,6 @@
 namespace porttool {
 namespace {
 
-/// True for a name that compilers define, or may define, without being told.
-bool is_of_compilers(std::string_view name) {
-    constexpr std::string_view kBegins[] = {"_",   "GL_",   "CL_",  "cl_",    "CUDA",  "HIP",  "SYCL", "ISPC",
-                                            "MSL", "HLSL",  "SPIR", "VULKAN", "WIN",   "FP_",  "GLSL", "METAL",
-                                            "OSL", "linux", "unix", "NDEBUG", "DEBUG", "SLANG"};
-    // Of the standard library, which every compiler brings: `M_PI`, `FLT_MAX`, `DBL_EPSILON`.
-    constexpr std::string_view kEnds[] = {"_MAX", "_MIN", "_EPSILON", "_DIG"};
-    return name.starts_with("M_") ||
-           std::any_of(std::begin(kBegins), std::end(kBegins),
-                       [&](std::string_view begin) { return name.starts_with(begin); }) ||
-           std::any_of(std::begin(kEnds), std::end(kEnds), [&](std::string_view end) { return name.ends_with(end); });
-}
-
 /// `A` of `# ifdef A`, `# if A` and `# if defined ( A )`, which begin at `at`; "" for any other condition.
 std::string_view macro_asked_for(const Words& words, size_t at, size_t end) {
     size_t i = at + 2;
@@ -94,7 +81,7 @@ private:
         open_.push_back({is_own, !is_own || (words_[at + 1] == "ifndef") != are_set_});
         if (!is_own) return at;
         macros_.insert(macro);
-        failed_ = failed_ || is_of_compilers(macro);
+        failed_ = failed_ || is_macro_of_compilers(macro);
         return end;
     }
 
@@ -114,24 +101,21 @@ private:
     bool failed_ = false;
 };
 
-/// Signs that reckon, and numbers with a fraction: whole ones tell places. Not within brackets, where both do, if those
-/// are left out.
-std::multiset<std::string_view> reckoning_of(const std::vector<std::string_view>& text, bool with_subscripts) {
-    std::multiset<std::string_view> out;
-    int subscripts = 0;
-    for (const std::string_view word : text) {
-        subscripts += word == "[" ? 1 : word == "]" ? -1 : 0;
-        const bool reckons = is_one_of(word, {"+", "-", "*", "/", "%", "+=", "-=", "*=", "/="}) ||
-                             (is_number_token(word) && !word.starts_with("0x") &&
-                              (word.find('.') != std::string_view::npos || word.back() == 'f'));
-        if (reckons && (with_subscripts || subscripts == 0)) out.insert(word);
-    }
-    return out;
-}
-
 }  // namespace
 
-AddedBranches added_branches(const Words& before, const Words& now) {
+bool is_macro_of_compilers(std::string_view name) {
+    constexpr std::string_view kBegins[] = {"_",   "GL_",   "CL_",  "cl_",    "CUDA",  "HIP",  "SYCL", "ISPC",
+                                            "MSL", "HLSL",  "SPIR", "VULKAN", "WIN",   "FP_",  "GLSL", "METAL",
+                                            "OSL", "linux", "unix", "NDEBUG", "DEBUG", "SLANG"};
+    // Of the standard library, which every compiler brings: `M_PI`, `FLT_MAX`, `DBL_EPSILON`.
+    constexpr std::string_view kEnds[] = {"_MAX", "_MIN", "_EPSILON", "_DIG"};
+    return name.starts_with("M_") ||
+           std::any_of(std::begin(kBegins), std::end(kBegins),
+                       [&](std::string_view begin) { return name.starts_with(begin); }) ||
+           std::any_of(std::begin(kEnds), std::end(kEnds), [&](std::string_view end) { return name.ends_with(end); });
+}
+
+std::set<std::string_view> macros_of_added_branches(const Words& before, const Words& now) {
     if (std::count(now.begin(), now.end(), "#") <= std::count(before.begin(), before.end(), "#")) return {};
     // A macro that the text asked for before is one of the edit's where it asks for it more, or less, often now.
     std::map<std::string_view, int> times;
@@ -146,11 +130,9 @@ AddedBranches added_branches(const Words& before, const Words& now) {
     const std::vector<DiffStep> steps = diff(*was_set, *set);
     if (std::none_of(steps.begin(), steps.end(), [](const DiffStep& step) { return step.kind == DiffStep::Remove; }))
         return {};
-    AddedBranches out{reader.macros(), false};
-    out.macros.insert(old.macros().begin(), old.macros().end());
-    const auto reckons = reckoning_of(*set, false), reckoned = reckoning_of(*was_set, true);
-    out.reckons_otherwise = !std::includes(reckoned.begin(), reckoned.end(), reckons.begin(), reckons.end());
-    return out;
+    std::set<std::string_view> macros = reader.macros();
+    macros.insert(old.macros().begin(), old.macros().end());
+    return macros;
 }
 
 std::string without_macros(const LexedText& file, const std::set<std::string_view>& macros) {

@@ -170,8 +170,9 @@ bool may_stand_for(std::string_view a, std::string_view b) {
         return is_one_of(a, list) && is_one_of(b, list);
     };
     return both_in({"sqrt", "inversesqrt", "length", "distance", "normalize", "dot", "hypot"}) ||
-           both_in({"exp", "exp2", "expm1", "pow"}) || both_in({"log", "log2", "log10", "log1p"}) ||
-           both_in({"round", "rint", "floor"}) || both_in({"fabs", "abs"}) || both_in({"mod", "fmod"});
+           both_in({"exp", "exp2", "exp10", "expm1", "pow", "cbrt", "sqrt"}) ||
+           both_in({"log", "log2", "log10", "log1p"}) || both_in({"round", "rint", "floor"}) ||
+           both_in({"fabs", "abs"}) || both_in({"mod", "fmod"});
 }
 
 /// True of two that do so only where the argument differs: `round ( x )` for `floor ( x + 0.5 )`, `dot ( v , v )` for

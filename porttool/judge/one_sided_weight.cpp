@@ -92,24 +92,24 @@ bool OneSidedWeight::bear_one_name(const JudgedPair& pair) {
     return is_of_one_class(Side::Source) && is_of_one_class(Side::Target);
 }
 
-/// What an edit added for some macros, where it did nothing else, neither in the unit nor in what the file declares for
-/// it, and only who builds that side asks for them; else nothing.
-AddedBranches OneSidedWeight::added_for_another_build(const UnitState& unit, Side side, const Words& before) {
+std::set<std::string_view> OneSidedWeight::macros_of_another_build(const UnitState& unit, Side side,
+                                                                   const Words& before) {
     const Words now = unit.text.words();
-    AddedBranches added = added_branches(without_prelude(before), without_prelude(now));
-    if (added.macros.empty() || !std::all_of(added.macros.begin(), added.macros.end(), [&](std::string_view macro) {
+    std::set<std::string_view> macros = macros_of_added_branches(without_prelude(before), without_prelude(now));
+    if (macros.empty() || !std::all_of(macros.begin(), macros.end(), [&](std::string_view macro) {
             return own_names_.is_asked_for_elsewhere(std::string(macro), side);
         }))
         return {};
-    if (prelude_of(before) == prelude_of(now)) return added;
+    if (prelude_of(before) == prelude_of(now)) return macros;
     const FilesOfSide& files = (*facts_.files)[side];
     for (size_t i = 0; i < files.size(); ++i) {
         if (files.path(i) != unit.file) continue;
-        const ScannedFile file = scan_text(unit.file, without_macros(files.scanned(i).lexed, added.macros));
+        const ScannedFile file = scan_text(unit.file, without_macros(files.scanned(i).lexed, macros));
         for (const Unit& built : file.units)
             if (unit_id(file, built) == unit.id) {
                 const UnitState state = unit_state(file, built);
-                return prelude_of(state.text.words()) == prelude_of(before) ? added : AddedBranches();
+                if (prelude_of(state.text.words()) != prelude_of(before)) return {};
+                return macros;
             }
     }
     return {};
@@ -135,6 +135,15 @@ bool OneSidedWeight::call_the_same(const std::vector<RespelledCall>& calls, Side
         const std::string before = std::string(call.before) + "()", now = std::string(call.now) + "()";
         return precision_hazards({before}, {now}).empty();
     });
+}
+
+/// What nothing seems to read is a note; a warning where a macro that no file of the side defines may read it.
+void OneSidedWeight::weaken_unread(JudgedPair& pair, Side side, const LoneTexts& texts, Finding& finding,
+                                   const std::string& why) {
+    std::string macro = own_names_.macro_of_elsewhere(texts.now, side, dialect_);
+    if (macro.empty()) macro = own_names_.macro_of_elsewhere(texts.before, side, dialect_);
+    if (macro.empty()) return weaken(pair, finding, Level::Note, why);
+    weaken(pair, finding, Level::Warning, why + ", unless " + macro + " does, which no file of its side defines");
 }
 
 /// An edit that most likely needs no port is a note, one of a word or two a warning.
@@ -186,11 +195,11 @@ void OneSidedWeight::weigh(JudgedPair& pair, Side side, const NormalText& before
                                   : "it computes what it computed before, in other statements");
     if (only_concerns_unread_locals(texts.before, texts.now, dialect_) &&
         !own_names_.are_locals_in_macros(texts.before, side) && !own_names_.are_locals_in_macros(texts.now, side))
-        return weaken(pair, finding, Level::Note, "it only brings or takes names that nothing reads");
+        return weaken_unread(pair, side, texts, finding, "it only brings or takes names that nothing reads");
     if (now.kind == UnitKind::Function && only_concerns_unread_parameters(texts.before, texts.now) &&
         !own_names_.are_locals_in_macros(texts.before, side) && !own_names_.are_locals_in_macros(texts.now, side) &&
         !are_twins(texts.before, texts.other, dialect_))
-        return weaken(pair, finding, Level::Note, "it only brings or takes parameters that it never reads");
+        return weaken_unread(pair, side, texts, finding, "it only brings or takes parameters that it never reads");
     // What the port holds before it is given anything is its own matter; the source may have mended a fault of both.
     const bool is_own_matter = !is_contract(facts_.map.reference, side);
     if (is_own_matter && only_gives_first_values(texts.before, texts.now))

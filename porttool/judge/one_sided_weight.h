@@ -26,14 +26,15 @@ public:
     OneSidedWeight(const Case& facts, const Dialect& dialect, SweptNames& swept_names)
         : facts_(facts), dialect_(dialect), own_names_(facts), swept_names_(swept_names), watched_(facts.map) {}
 
-    /// What an edit added for some macros, where it did nothing else, neither in the unit nor in what the file declares
-    /// for it, and only who builds that side asks for them; else nothing.
-    AddedBranches added_for_another_build(const UnitState& unit, Side side, const Words& before);
+    /// The macros for which an edit added texts, where it did nothing else, neither in the unit nor in what the file
+    /// declares for it, and only who builds that side asks for them; else none.
+    std::set<std::string_view> macros_of_another_build(const UnitState& unit, Side side, const Words& before);
 
     /// An edit that most likely needs no port is a note, one of a word or two a warning.
     void weigh(JudgedPair& pair, Side side, const NormalText& before, Finding& finding);
 
 private:
+    void weaken_unread(JudgedPair& pair, Side side, const LoneTexts& texts, Finding& finding, const std::string& why);
     bool call_the_same(const std::vector<RespelledCall>& calls, Side side, const Words& there);
     bool bear_one_name(const JudgedPair& pair);
     void weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, Finding& finding);

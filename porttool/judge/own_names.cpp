@@ -6,10 +6,12 @@
 #include <cctype>
 #include <set>
 
+#include "porttool/compare/added_branches.h"
 #include "porttool/language/spelling.h"
 #include "porttool/normal/locals.h"
 #include "porttool/scan/declared_words.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
@@ -104,6 +106,29 @@ bool is_in_code_after(const Case& facts, Side side, std::string_view word, std::
     return false;
 }
 
+/// `SCALE`, `USE_FOG_2`.
+bool is_in_capitals(std::string_view word) {
+    constexpr size_t kLeast = 3;  // `N`, `PI`: of templates, mostly
+    return word.size() >= kLeast && is_word_token(word) &&
+           std::none_of(word.begin(), word.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+}
+
+/// True if a file defines or declares the word: behind `define` or a type, or between the braces of an `enum`.
+bool is_declared_in(const LexedText& lexed, std::string_view word) {
+    std::string_view last;
+    bool in_enum = false;
+    for (const Token& token : lexed.tokens) {
+        const std::string_view text = lexed.view(token);
+        in_enum = text == "enum" || (in_enum && text != ";" && text != "}");
+        const bool is_behind_type =
+            is_word_token(last) && !is_one_of(last, {"return", "case", "else", "goto", "throw", "if", "ifdef", "ifndef",
+                                                     "elif", "undef", "defined", "do", "in", "sizeof"});
+        if (text == word && (in_enum || is_behind_type)) return true;
+        last = text;
+    }
+    return false;
+}
+
 }  // namespace
 
 const std::vector<const UnitState*>* OwnNames::of(Side side, std::string_view name) {
@@ -150,6 +175,24 @@ bool OwnNames::are_locals_in_macros(const Words& text, Side side) const {
         }
     }
     return false;
+}
+
+std::string OwnNames::macro_of_elsewhere(const Words& text, Side side, const Dialect& dialect) {
+    if (!facts_.files) return {};
+    const std::vector<size_t> numbers = local_numbers(text);
+    const FilesOfSide& files = (*facts_.files)[side];
+    const auto is_declared = [&](std::string_view word) {
+        for (size_t i = 0; i < files.size(); ++i)
+            if (says_word(files.text(i), word) && is_declared_in(files.scanned(i).lexed, word)) return true;
+        return false;
+    };
+    for (size_t i = 0; i < text.size(); ++i) {
+        const bool is_known = !is_in_capitals(text[i]) || (i < numbers.size() && numbers[i] != 0) ||
+                              dialect.meaning(text[i]) != nullptr || is_macro_of_compilers(text[i]) ||
+                              is_one_of(text[i], {"NAN", "NULL", "TRUE", "FALSE"}) || of(side, text[i]) != nullptr;
+        if (!is_known && !is_declared(text[i])) return std::string(text[i]);
+    }
+    return {};
 }
 
 /// True if the unit's file, or the unit itself, opens a namespace, or takes a name out of it.

@@ -10,6 +10,7 @@
 
 #include "porttool/compare/respelled_calls.h"
 #include "porttool/judge/judge.h"
+#include "porttool/language/dialect.h"
 
 namespace porttool {
 
@@ -41,6 +42,12 @@ public:
 
     /// True if a macro that a text uses, defined anywhere on its side, says the name of one of the text's locals.
     bool are_locals_in_macros(const Words& text, Side side) const;
+
+    /// A name in capitals in a text, of no local, that no file of its side defines or declares and no compiler brings:
+    /// a macro of a header elsewhere, to all appearance, which may say the name of any local. "" for none.
+    ///
+    ///     return SCALE ( d ) * k ;        with `#define SCALE(x) ((x) * gain)` where no glob of the map leads
+    std::string macro_of_elsewhere(const Words& text, Side side, const Dialect& dialect);
 
     /// True if no file of the side defines that macro and none of the other side speaks of it: who builds the side asks
     /// for it, and never for the other one.

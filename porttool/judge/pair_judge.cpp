@@ -293,9 +293,10 @@ void PairJudge::report_one(JudgedPair& pair, const PairComparison& found, const 
     const UnitState& unit = *pair.unit[side];
     const PlainStatements plain(unit.kind, language_of_path(unit.file), dialect_);
     const Words then = before[side].words(), now = unit.text.words();
-    if (const AddedBranches added = one_sided_.added_for_another_build(unit, side, then); !added.macros.empty()) {
-        const std::string macro(*added.macros.begin());
-        weaken(pair, finding, added.reckons_otherwise ? Level::Warning : Level::Note,
+    if (const auto macros = one_sided_.macros_of_another_build(unit, side, then); !macros.empty()) {
+        const std::string macro(*macros.begin());
+        // Who builds that side may ask for it by default: that stands in files that no glob names.
+        weaken(pair, finding, Level::Warning,
                fmt::format("it only adds what is built with {}, which the other side never is", macro));
         finding.causes = {std::string(kBuiltWith) + macro};
         return;

@@ -5,7 +5,6 @@
 #include <map>
 #include <string>
 
-#include "porttool/compare/added_branches.h"
 #include "porttool/compare/compare_pair.h"
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/judge.h"

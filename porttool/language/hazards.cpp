@@ -59,6 +59,8 @@ constexpr std::array kPrecisions = {
     PrecisionRow{"log2 log2f", "__log2f native_log2 half_log2"},
     PrecisionRow{"sin sinf", "__sinf native_sin half_sin"},
     PrecisionRow{"cos cosf", "__cosf native_cos half_cos"},
+    PrecisionRow{"exp10 exp10f", "__exp10f native_exp10 half_exp10"},
+    PrecisionRow{"log10 log10f", "__log10f native_log10 half_log10"},
     PrecisionRow{"tan tanf", "__tanf native_tan half_tan"},
     PrecisionRow{"pow powf powr", "__powf native_powr half_powr"},
     PrecisionRow{"sqrt sqrtf __fsqrt_rn", "native_sqrt half_sqrt"},
@@ -66,6 +68,7 @@ constexpr std::array kPrecisions = {
     PrecisionRow{"sincos sincosf", "__sincosf"},
     PrecisionRow{"normalize", "fast_normalize"},
     PrecisionRow{"length", "fast_length"},
+    PrecisionRow{"distance", "fast_distance"},
 };
 
 /// A language's name for a reader; "" for one that is not known.

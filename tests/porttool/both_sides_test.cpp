@@ -331,6 +331,18 @@ TEST(BothSides, AStructThatGetsAFieldOfTheOtherHasCaughtUp) {
         EXPECT_NE(now(from, to), "") << to;
 }
 
+/// A language may place a field by itself as another does where it is told to.
+TEST(BothSides, AFieldThatIsNoLongerPlacedHasNotCaughtUp) {
+    const std::string target = "struct Light {\n    float power;\n    vec3 direction;\n};\n",
+                      placed = replaced(replaced(target, "vec3", "alignas(16) float3"), "float power",
+                                        "alignas(8) float power"),
+                      plain = replaced(target, "vec3", "float3");
+    EXPECT_NE(found(placed, target, replaced(placed, "alignas(16) ", ""), target, ".cu"), "");
+    EXPECT_NE(found(placed, target, plain, target, ".cu"), "");
+    EXPECT_NE(found(placed, target, replaced(placed, "alignas(16)", "alignas(4)"), target, ".cu"), "");
+    EXPECT_EQ(found(replaced(plain, "float3", "float4"), target, plain, target, ".cu"), "");
+}
+
 /// The matcher still takes them for the same.
 TEST(BothSides, UnlikeFunctionsStillPairUnits) {
     const Dialect dialect;
