@@ -49,6 +49,13 @@ std::string lines_of(const LeftItem& item) {
     return out;
 }
 
+/// What was done and why, and what a person may have to do.
+ordered_json reasons_of(const Proposal& proposal) {
+    ordered_json out = proposal.why;
+    for (const LeftItem& item : proposal.perhaps) out.push_back("perhaps" + lines_of(item) + ": " + item.message);
+    return out;
+}
+
 }  // namespace
 
 std::string sync_json(const SyncResult& result, const std::optional<Verification>& verification) {
@@ -70,7 +77,7 @@ std::string sync_json(const SyncResult& result, const std::optional<Verification
                              {"patch", patch_or_null(whole_patch(one))},
                              {"map_patch", patch_or_null(map_patch(one))},
                              {"left", std::move(left)},
-                             {"why", one.why}});
+                             {"why", reasons_of(one)}});
     }
     return json_text({{"proposals", std::move(proposals)}, {"verified", verified_or_null(verification)}}, 1) + "\n";
 }
@@ -97,6 +104,8 @@ std::string sync_table(const SyncResult& result, const std::optional<Verificatio
         out += "\n";
         for (const LeftItem& item : one.left)
             out += "    left for you" + lines_of(item) + ": " + terminal_text(item.message) + "\n";
+        for (const LeftItem& item : one.perhaps)
+            out += "    perhaps for you" + lines_of(item) + ": " + terminal_text(item.message) + "\n";
         add_lines(one.patch, out);
         if (!one.record_patch.empty())
             out += "    with what changes of it in portmap.toml, portmap.lock, portmap.base/\n";

@@ -77,19 +77,22 @@ private:
                 left = kNothing;
         }
         const std::string what = shown(texts_.now.words, now(first).first, now(end - 1).end);
-        size_t close = now(first).opens ? place_around(was_before, was_after) : place_beside(was_before, was_after);
+        auto [close, is_alike] =
+            now(first).opens ? place_around(was_before, was_after) : place_beside(was_before, was_after);
         const auto give_up = [&](const std::string& why) {
             for (size_t c = was_before == kNothing ? 0 : was_before + 1; c < before_end(was_after); ++c)
                 sources_.held.insert(c);
-            out_.left.push_back({"the source gained `" + what + "`; " + why, now(first).first, close});
+            out_.left.push_back({"the source gained `" + what + "`; " + why, now(first).first, close, 1, is_alike});
         };
         const size_t block = was_before == kNothing     ? Clause::kNone
                              : before(was_before).opens ? was_before
                                                         : before(was_before).inside;
         if (is_doubtful(block) || (was_before != kNothing && is_doubtful_directive(was_before)))
             return give_up("the port's condition there is another one");
-        if (left == kNothing && right == kNothing)
+        if (left == kNothing && right == kNothing) {
+            is_alike = false;
             return give_up("the port has nothing that stands for its neighbours");
+        }
         if (left != kNothing && right != kNothing && right <= left)
             return give_up("its neighbours stand in another order in the port");
         if (stands_by_directive_alone(was_before, was_after))
@@ -115,7 +118,7 @@ private:
         }
         std::optional<size_t> place = place_among(left, right, own, clauses, beside_left, run);
         if (!place) {
-            close = last_that_names(own, clauses, close);
+            if (const auto named = last_that_names(own, clauses)) close = *named, is_alike = true;
             return give_up("the port has statements of its own there, and which comes first matters");
         }
         if (!is_in_counterpart(block, *place)) return give_up("the block around it has no counterpart in the port");
@@ -170,30 +173,30 @@ private:
     }
 
     /// A word of the target near where what comes between two clauses of the source's old text would stand.
-    size_t place_beside(size_t was_before, size_t was_after) const {
-        if (was_before == kNothing) return 0;
-        if (const LaunchPair* launch = launch_ending(was_before)) return target(launch->there.last).end - 1;
-        if (counterpart(was_before) != kNothing) return target(counterpart(was_before)).end - 1;
-        if (was_after != kNothing && counterpart(was_after) != kNothing) return target(counterpart(was_after)).first;
+    Nearby place_beside(size_t was_before, size_t was_after) const {
+        if (was_before == kNothing) return {};
+        if (const LaunchPair* launch = launch_ending(was_before)) return {target(launch->there.last).end - 1};
+        if (counterpart(was_before) != kNothing) return {target(counterpart(was_before)).end - 1};
+        if (was_after != kNothing && counterpart(was_after) != kNothing) return {target(counterpart(was_after)).first};
         return near(was_before);
     }
 
     /// The same of a block that comes around what follows it.
-    size_t place_around(size_t was_before, size_t was_after) const {
+    Nearby place_around(size_t was_before, size_t was_after) const {
         const bool stands = was_after != kNothing && counterpart(was_after) != kNothing && !before(was_after).closes;
-        return stands ? target(counterpart(was_after)).first : place_beside(was_before, was_after);
+        return stands ? Nearby{target(counterpart(was_after)).first} : place_beside(was_before, was_after);
     }
 
     /// The last of the port's own clauses that shares a name with new ones: these come beside it, one way or the other.
-    size_t last_that_names(const std::vector<size_t>& own, const std::vector<ClauseAdded>& clauses,
-                           size_t otherwise) const {
+    std::optional<size_t> last_that_names(const std::vector<size_t>& own,
+                                          const std::vector<ClauseAdded>& clauses) const {
         const std::set<std::string> names = names_of(clauses);
         const bool ends_time = is_of_host(clauses.front());
         for (size_t k = own.size(); k-- > 0;)
             for (size_t i = target(own[k]).first; i < target(own[k]).end; ++i)
                 if (names.contains(texts_.target.words[i]))
                     return target(ends_time ? behind_own_blocks(own, own[k]) : own[k]).first;
-        return otherwise;
+        return std::nullopt;
     }
 
     /// The end of the port's own blocks that a clause stands in, as a kernel with its launch: a wait, or a clock that

@@ -215,10 +215,10 @@ private:
     void leave_strange() {
         for (size_t i = 0; i < strange_.size();) {
             const auto [was, is] = strange_[i];
-            const size_t there = place_of_strange(was, is);
+            const auto [there, is_alike] = place_of_strange(was, is);
             size_t end = i + 1;
             while (end < strange_.size() && strange_[end].second <= strange_[end - 1].second + 2 &&
-                   place_of_strange(strange_[end].first, strange_[end].second) == there)
+                   place_of_strange(strange_[end].first, strange_[end].second).word == there)
                 ++end;
             const auto [last_was, last_is] = strange_[end - 1];
             leave("the port has nothing that clearly stands for `" +
@@ -226,12 +226,13 @@ private:
                       shown(texts_.now.words, now(is).first, now(last_is).end) + "`",
                   now(is).first, there);
             out_.left.back().statements = end - i;
+            out_.left.back().is_sure = is_alike;
             i = end;
         }
     }
 
     /// Where the port has another statement that changed in the same words; else what resembles this one.
-    size_t place_of_strange(size_t was, size_t is) const {
+    Nearby place_of_strange(size_t was, size_t is) const {
         const auto distance = [&](size_t other) { return other > is ? other - is : is - other; };
         const std::string edit = edit_of(was, is);
         size_t best = kNothing;
@@ -239,7 +240,7 @@ private:
             if (origin_[c] != kNothing && counterpart(origin_[c]) != kNothing && edit_of(origin_[c], c) == edit &&
                 (best == kNothing || distance(c) < distance(best)))
                 best = c;
-        return best == kNothing ? near(was) : target(counterpart(origin_[best])).first;
+        return best == kNothing ? near(was) : Nearby{target(counterpart(origin_[best])).first};
     }
 
     /// The words that went from a clause and came to it; those of a renaming are not told.

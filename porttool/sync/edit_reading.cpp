@@ -159,9 +159,9 @@ size_t EditReading::counterpart_of_same(size_t c) const {
     return best == kNothing ? best : counterpart(best);
 }
 
-size_t EditReading::near(size_t c) const {
-    if (counterpart(c) != kNothing) return target(counterpart(c)).first;
-    if (const size_t same = counterpart_of_same(c); same != kNothing) return target(same).first;
+EditReading::Nearby EditReading::near(size_t c) const {
+    if (counterpart(c) != kNothing) return {target(counterpart(c)).first};
+    if (const size_t same = counterpart_of_same(c); same != kNothing) return {target(same).first};
     size_t left = 0, right = texts_.target.clauses.size(), after_left = c, before_right = texts_.before.clauses.size();
     for (size_t i = c; i-- > 0;)
         if (counterpart(i) != kNothing) {
@@ -184,9 +184,9 @@ size_t EditReading::near(size_t c) const {
             if (const double found = resemblance(c, i); found > likeness) likeness = found, best = i;
         return best;
     };
-    if (const size_t said = says_rare_name_of(c, left, true); said != kNothing) return target(said).first;
+    if (const size_t said = says_rare_name_of(c, left, true); said != kNothing) return {target(said).first};
     const size_t all = texts_.target.clauses.size();
-    const auto first_of = [&](size_t there) { return target(there).first; };
+    const auto first_of = [&](size_t there) { return Nearby{target(there).first}; };
     if (const size_t best = most_alike(left + 1, right, kWell); best != kNothing) return first_of(best);
     if (const size_t said = says_rare_name_of(c, left); said != kNothing && left < said && said < right)
         return first_of(said);
@@ -194,7 +194,7 @@ size_t EditReading::near(size_t c) const {
     if (const size_t best = most_alike(1, all, kWell); best != kNothing) return first_of(best);
     if (const size_t said = says_rare_name_of(c, left); said != kNothing) return first_of(said);
     const bool is_right = before_right < after_left && right < texts_.target.clauses.size();
-    return is_right ? target(right).first : target(left).end - 1;
+    return {is_right ? target(right).first : target(left).end - 1, false};
 }
 
 /// The clause of the target, of those that stand for none, that has a name of clause c which few others there have; of

@@ -42,8 +42,13 @@ public:
     std::optional<size_t> only_counterpart(const Clause& old) const;
     /// The statement of the target that stands for none, and says a whole statement of the source's old text so.
     std::optional<size_t> only_statement(size_t c) const;
-    /// A word of the target near where a clause of the source's old text would stand.
-    size_t near(size_t c) const;
+    /// A word of the target, and whether what stands there resembles what it is asked for.
+    struct Nearby {
+        size_t word = 0;
+        bool is_alike = true;
+    };
+    /// Near where a clause of the source's old text would stand in the target.
+    Nearby near(size_t c) const;
     /// A name that the new words index otherwise than the target always does: a flat array that is one of rows there.
     std::string indexed_otherwise(const std::vector<CarriedWord>& words) const;
     /// True if a clause of the source's old text (`c` may be none) stands in a branch that the port takes on another

@@ -321,10 +321,11 @@ Transplant PairCarrier::transplanted(const PairEdit& edit, const Texts& texts, K
     RepeatedReasons reasons;
     for (const LeftOver& left : found.left) {
         const auto reason = first_reasons.find(left.source_word);
-        reasons.add(
+        LeftItem item =
             left_at(edit.from, reason == first_reasons.end() ? left.message : reason->second,
-                    line_at(file, is, left.source_word), line_at(texts.draft.scanned, texts.there, left.target_word)),
-            edit.to(), out.left);
+                    line_at(file, is, left.source_word), line_at(texts.draft.scanned, texts.there, left.target_word));
+        item.is_sure = left.is_sure;
+        reasons.add(std::move(item), edit.to(), out.left);
     }
     reasons.name_lines(out.left);
     return found;

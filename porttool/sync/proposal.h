@@ -23,6 +23,7 @@ constexpr std::string_view proposal_state_name(ProposalState state) {
 struct LeftItem {
     std::string message;
     uint32_t source_line = 0, target_line = 0;
+    bool is_sure = true;  ///< false where the port has nothing that resembles it: whether it is owed is not told
 };
 
 struct Proposal {
@@ -32,6 +33,7 @@ struct Proposal {
     std::string record_patch;   ///< of the project's own files, relative to its root: the pairs that come with it
     bool is_elsewhere = false;  ///< the side that is written has a root of its own
     std::vector<LeftItem> left;
+    std::vector<LeftItem> perhaps;  ///< of what is left, what the port has nothing for, and may not owe
     std::vector<std::string> why;
 };
 

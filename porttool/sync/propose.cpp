@@ -3,6 +3,7 @@
 #include "porttool/sync/propose.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "porttool/compare/compare_pair.h"
 #include "porttool/judge/settle.h"
@@ -319,6 +320,15 @@ SyncResult propose_all(const CheckedProject& checked, const std::vector<size_t>&
     }
 }
 
+/// Of what is left a person has to do what is sure; of the rest the first where there is nothing else.
+void set_apart_unsure(Proposal& proposal) {
+    const auto unsure = std::stable_partition(proposal.left.begin(), proposal.left.end(),
+                                              [](const LeftItem& item) { return item.is_sure; });
+    const auto first = unsure == proposal.left.begin() && unsure != proposal.left.end() ? unsure + 1 : unsure;
+    proposal.perhaps.assign(std::make_move_iterator(first), std::make_move_iterator(proposal.left.end()));
+    proposal.left.erase(first, proposal.left.end());
+}
+
 }  // namespace
 
 SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pairs, WriteSide write, const Disk& disk,
@@ -341,6 +351,7 @@ SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pai
         last = propose_all(checked, whole, write, disk, earlier, knowledge, budget);
     }
     out.files = std::move(last.files_with_partial);
+    for (Proposal& one : out.proposals) set_apart_unsure(one);
     return out;
 }
 

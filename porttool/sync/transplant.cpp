@@ -210,13 +210,15 @@ private:
     /// Statements that the source lost side by side, and that the port has nothing for at one place, are one item.
     void leave_lost() {
         for (size_t i = 0; i < lost_.size();) {
-            const size_t place = place_now(lost_[i]), there = near(lost_[i]);
+            const size_t place = place_now(lost_[i]);
+            const auto [there, is_alike] = near(lost_[i]);
             size_t end = i + 1;
-            while (end < lost_.size() && place_now(lost_[end]) == place && near(lost_[end]) == there) ++end;
+            while (end < lost_.size() && place_now(lost_[end]) == place && near(lost_[end]).word == there) ++end;
             leave("the source lost `" + shown(texts_.before.words, before(lost_[i]).first, before(lost_[end - 1]).end) +
                       "`; the port has nothing that clearly stands for it",
                   place, there);
             out_.left.back().statements = end - i;
+            out_.left.back().is_sure = is_alike;
             i = end;
         }
     }

@@ -41,6 +41,7 @@ struct LeftOver {
     std::string message;
     size_t source_word = 0, target_word = 0;  ///< in the source's new text, in the target; about where
     size_t statements = 1;                    ///< of the source that it tells of
+    bool is_sure = true;                      ///< false where the place is that of the nearest neighbour alone
 };
 
 /// What the target's text has to become.

@@ -262,8 +262,8 @@ TEST_F(SyncDoubt, ANameForWhatStoodThereIsNothingToAPortWithoutTheStatement) {
     const std::string named = "  cudaMemcpy(d, a, bytes, cudaMemcpyHostToDevice);\n";
     const std::string size = "  size_t bytes = n * sizeof(float);\n";
     const auto tells_of_copy = [&](const std::string& own) {
-        return proposal_of(counted(own, "3"))["left"].dump().find("clearly stands for `cudaMemcpy") !=
-               std::string::npos;
+        const nlohmann::json got = proposal_of(counted(own, "3"));
+        return (got["left"].dump() + got["why"].dump()).find("clearly stands for `cudaMemcpy") != std::string::npos;
     };
     EXPECT_FALSE(tells_of_copy(size + named));
     EXPECT_TRUE(tells_of_copy("  size_t bytes = m * sizeof(float);\n" + named)) << "another value";

@@ -52,6 +52,38 @@ TEST_F(SyncElsewhere, ANameThatTheSourceHadBeforeMayBeItsOwn) {
     expect_left(replaced(kClip, "r > top", "r > top * FACTOR"), "`FACTOR`", 3);
 }
 
+const std::string kWarmClip = replaced(kClipPort, "{\n", "{\n  warm_up(FACTOR);\n");
+
+TEST_F(SyncElsewhere, WhatThePortHasNothingLikeIsLeftPerhapsBesideWhatIsSure) {
+    start("clip.cu", kWarmClip, "clip.cpp", kClipPort);
+    const nlohmann::json got = proposal_of(replaced(kClipPort, "r > top", "r > top * FACTOR"));
+    EXPECT_EQ(got["state"], "refused") << got.dump(1);
+    ASSERT_EQ(got["left"].size(), 1) << got.dump(1);
+    EXPECT_NE(got["left"][0]["message"].get<std::string>().find("`FACTOR`"), std::string::npos) << got.dump(1);
+    ASSERT_EQ(got["why"].size(), 1) << got.dump(1);
+    const auto why = got["why"][0].get<std::string>();
+    EXPECT_TRUE(why.starts_with("perhaps, source line ")) << why;
+    EXPECT_NE(why.find("warm_up"), std::string::npos) << why;
+    EXPECT_NE(porttool({"sync"}).out.find("    perhaps for you, source line "), std::string::npos);
+}
+
+TEST_F(SyncElsewhere, WhatThePortHasNothingLikeIsLeftWhereNothingElseIs) {
+    start("clip.cu", kWarmClip, "clip.cpp", kClipPort);
+    const nlohmann::json got = proposal_of(kClipPort);
+    EXPECT_EQ(got["state"], "refused") << got.dump(1);
+    ASSERT_EQ(got["left"].size(), 1) << got.dump(1);
+    EXPECT_NE(got["left"][0]["message"].get<std::string>().find("warm_up"), std::string::npos) << got.dump(1);
+}
+
+TEST_F(SyncElsewhere, WhatThePortHasInOtherWordsIsLeftForSure) {
+    const std::string warm = "  submit(queue, first_device, kernels::warm_up, grid_of(top), block_of(top), nullptr);\n";
+    start("clip.cu", kWarmClip, "clip.cpp", replaced(kClipPort, "{\n", "{\n" + warm));
+    const nlohmann::json got = proposal_of(replaced(kClipPort, "r > top", "r > top * FACTOR"));
+    EXPECT_EQ(got["state"], "refused") << got.dump(1);
+    EXPECT_EQ(got["left"].size(), 2) << got.dump(1);
+    EXPECT_TRUE(got["why"].empty()) << got.dump(1);
+}
+
 TEST_F(SyncElsewhere, ATextThatSpeaksOfTheSourcesPlatformIsLeft) {
     const std::string host = "void begin(int n) {\n  prepare(n);\n  launch(n);\n}\n";
     start("begin.cu", host, "begin.cpp", host);
