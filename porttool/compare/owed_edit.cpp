@@ -72,15 +72,13 @@ bool reorders_or_retunes_words(const SideEdit& edit) {
     return edit.gained == edit.lost || (edit.size < kLong && any_number(edit.gained) && any_number(edit.lost));
 }
 
-/// What speaks for an edit that is owed, as a logistic regression sums it up: 0 is even for an edit of which nothing
-/// else is known. How much of the two texts is alike, how much around the edit, how much of what went, and which of the
-/// names that came are known there. Of texts that can be laid side by side.
-///
-///     before      y[i] = k * x[i];                                      port
-///     now         y[i] = k * x[i] + lim;                                all that stands around has its like
-///     or now      y[i] = k * x[i]; log.push(ticks, "done", where());    what came is beside it, of names unknown there
-///     other       z[i] = k * x[i]; z[i] += lim;                         source
-double weight_of_evidence(LaidEdit& laid) {
+/// How much of a text before its edit has its like in the other side's: of all words of both, of those within a dozen
+/// words of the edit, and of those that went; 0 to 1.
+struct AlikeShares {
+    double of_texts, of_place, of_lost;
+};
+
+AlikeShares alike_shares(LaidEdit& laid) {
     const SideEdit& edit = laid.edit();
     const SideBySide& beside = laid.before();
     const TouchedWords touched(edit);
@@ -99,13 +97,30 @@ double weight_of_evidence(LaidEdit& laid) {
     const size_t words = words_in(edit.had) + words_in(laid.other().has);
     const double of_texts = 1 - std::min(1.0, share_of(beside.unlike(), words, 1));
     const double of_place = share_of(around_alike, around, of_texts);
-    const double of_lost = share_of(went_alike, went, of_place);
+    return {of_texts, of_place, share_of(went_alike, went, of_place)};
+}
+
+/// What speaks for an edit that is owed, as a logistic regression sums it up: 0 is even for an edit of which nothing
+/// else is known. How much of the two texts is alike, how much around the edit, how much of what went, and which of the
+/// names that came are known there. Of texts that can be laid side by side.
+///
+///     before      y[i] = k * x[i];                                      port
+///     now         y[i] = k * x[i] + lim;                                all that stands around has its like
+///     or now      y[i] = k * x[i]; log.push(ticks, "done", where());    what came is beside it, of names unknown there
+///     other       z[i] = k * x[i]; z[i] += lim;                         source
+double weight_of_evidence(LaidEdit& laid) {
+    const AlikeShares alike = alike_shares(laid);
     // Counted on edits of eight projects that were read, and on edits of both sides with one of them taken back; each
     // project was held against what the others gave.
-    return -3.6 + 1.5 * of_texts + 1.55 * of_place + 1.35 * of_lost + 1.15 * known_names(laid);
+    return -3.6 + 1.5 * alike.of_texts + 1.55 * alike.of_place + 1.35 * alike.of_lost + 1.15 * known_names(laid);
 }
 
 }  // namespace
+
+bool are_mostly_alike(LaidEdit& laid) {
+    constexpr double kHalf = 0.5;
+    return !laid.can_be_laid() || alike_shares(laid).of_texts >= kHalf;
+}
 
 bool is_likely_owed(LaidEdit& laid, bool are_namesakes) {
     constexpr size_t kMeant = 12;  // words of an edit that is no slip

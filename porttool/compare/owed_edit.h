@@ -12,4 +12,8 @@ namespace porttool {
 /// chance; by others unless next to nothing around the edit has its like.
 bool is_likely_owed(LaidEdit& laid, bool are_namesakes);
 
+/// False if less than half of the names, numbers and operators of a text before its edit and of the other side's have
+/// their like in the other: whether two edits of such texts are one is hard to tell.
+bool are_mostly_alike(LaidEdit& laid);
+
 }  // namespace porttool

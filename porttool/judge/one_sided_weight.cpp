@@ -22,7 +22,6 @@
 #include "porttool/judge/same_edit_beside.h"
 #include "porttool/judge/weaken.h"
 #include "porttool/language/hazards.h"
-#include "porttool/match/words.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/prelude.h"
 #include "porttool/scan/scan.h"
@@ -51,22 +50,6 @@ bool only_rewords_texts(const Words& before, const Words& now) {
     });
 }
 
-/// A unit's qualified name.
-std::string_view name_of(const UnitState& unit) { return std::string_view(unit.id).substr(unit.id.find(':') + 1); }
-
-/// What a unit is known by: an entry point, which has the name of all others, by that of its file.
-std::string_view known_name(const UnitState& unit) {
-    const std::string_view leaf = bare_leaf_of(name_of(unit));
-    return leaf == "main" ? file_stem(unit.file) : leaf;
-}
-
-/// The class, or the namespace, that a unit is in; "" for none.
-std::string_view class_of(const UnitState& unit) {
-    const std::string_view name = name_of(unit);
-    const size_t end = name.rfind("::");
-    return end == std::string_view::npos ? std::string_view() : leaf_of(name.substr(0, end));
-}
-
 /// One of a few words is never told with another.
 void doubt_edit(const JudgedPair& pair, const LaidEdit& laid, const std::string& why, Finding& finding) {
     if (is_of_few_words(laid.texts().before, laid.texts().now))
@@ -76,21 +59,6 @@ void doubt_edit(const JudgedPair& pair, const LaidEdit& laid, const std::string&
 }
 
 }  // namespace
-
-/// True if both units of a pair are known by one name that no class beside theirs has as well. A method that a whole
-/// family has, `Layer::forward`, is known by its class.
-bool OneSidedWeight::bear_one_name(const JudgedPair& pair) {
-    const BySide<std::string_view> names{known_name(*pair.unit.source), known_name(*pair.unit.target)};
-    if (names.source != names.target) return false;
-    if (class_of(*pair.unit.source) == class_of(*pair.unit.target)) return true;
-    const auto is_of_one_class = [&](Side side) {
-        const std::vector<const UnitState*>* bearers = own_names_.of(side, names[side]);
-        return bearers == nullptr || std::all_of(bearers->begin(), bearers->end(), [&](const UnitState* bearer) {
-                   return class_of(*bearer) == class_of(*bearers->front());
-               });
-    };
-    return is_of_one_class(Side::Source) && is_of_one_class(Side::Target);
-}
 
 std::set<std::string_view> OneSidedWeight::macros_of_another_build(const UnitState& unit, Side side,
                                                                    const Words& before) {
@@ -171,7 +139,7 @@ void OneSidedWeight::weigh(JudgedPair& pair, Side side, const NormalText& before
             return weaken(pair, finding, Level::Note, "it only derives from what is not of the project, or no longer");
         if (only_changes_fields_of_its_own(texts))
             weaken(pair, finding, Level::Note, "the two structs never had most of their fields in common");
-        else if (!is_likely_owed(laid, bear_one_name(pair)))
+        else if (!is_likely_owed(laid, own_names_.are_one(pair.unit)))
             doubt_edit(pair, laid, "little of what it touches has its like on the other side", finding);
         return;
     }
@@ -234,7 +202,7 @@ void OneSidedWeight::weigh(JudgedPair& pair, Side side, const NormalText& before
                         : nearing == Nearing::WithOtherMembers ? " has most of it, with another member or function"
                                                                : " has its words, some in other places");
         if (in_order && !is_slip) return weaken(pair, finding, Level::Note, why);
-        if (!is_likely_owed(laid, bear_one_name(pair))) return doubt_edit(pair, laid, why, finding);
+        if (!is_likely_owed(laid, own_names_.are_one(pair.unit))) return doubt_edit(pair, laid, why, finding);
         return weaken(pair, finding, Level::Warning, why);
     }
     weigh_ground(pair, side, laid, finding);
@@ -247,7 +215,7 @@ void OneSidedWeight::weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, F
     const std::string there = side == Side::Source ? "the port" : "the source";
     const OffGround off = off_common_ground(laid);
     if (off == OffGround::No) {
-        if (!is_likely_owed(laid, bear_one_name(pair)))
+        if (!is_likely_owed(laid, own_names_.are_one(pair.unit)))
             doubt_edit(pair, laid, "little of what it touches has its like in " + there, finding);
         return;
     }

@@ -36,7 +36,6 @@ public:
 private:
     void weaken_unread(JudgedPair& pair, Side side, const LoneTexts& texts, Finding& finding, const std::string& why);
     bool call_the_same(const std::vector<RespelledCall>& calls, Side side, const Words& there);
-    bool bear_one_name(const JudgedPair& pair);
     void weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, Finding& finding);
 
     const Case& facts_;

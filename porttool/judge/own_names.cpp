@@ -8,6 +8,7 @@
 
 #include "porttool/compare/added_branches.h"
 #include "porttool/language/spelling.h"
+#include "porttool/match/words.h"
 #include "porttool/normal/locals.h"
 #include "porttool/scan/declared_words.h"
 #include "porttool/scan/scan.h"
@@ -15,6 +16,18 @@
 
 namespace porttool {
 namespace {
+
+/// What a unit is known by: an entry point, which has the name of all others, by that of its file.
+std::string_view known_name(const UnitState& unit) {
+    const std::string_view leaf = bare_leaf_of(unit.name);
+    return leaf == "main" ? file_stem(unit.file) : leaf;
+}
+
+/// The class, or the namespace, that a unit is in; "" for none.
+std::string_view class_of(const UnitState& unit) {
+    const size_t end = unit.name.rfind("::");
+    return end == std::string_view::npos ? std::string_view() : leaf_of(std::string_view(unit.name).substr(0, end));
+}
 
 /// What stands before the last part of a unit's name: `a::b::` of `a::b::f`.
 std::string_view scope_of_unit(std::string_view name) {
@@ -139,6 +152,19 @@ const std::vector<const UnitState*>* OwnNames::of(Side side, std::string_view na
     }
     const auto found = by_name_[side]->find(name);
     return found == by_name_[side]->end() ? nullptr : &found->second;
+}
+
+bool OwnNames::are_one(const BySide<const UnitState*>& units) {
+    const BySide<std::string_view> names{known_name(*units.source), known_name(*units.target)};
+    if (names.source != names.target) return false;
+    if (class_of(*units.source) == class_of(*units.target)) return true;
+    const auto is_of_one_class = [&](Side side) {
+        const std::vector<const UnitState*>* bearers = of(side, names[side]);
+        return bearers == nullptr || std::all_of(bearers->begin(), bearers->end(), [&](const UnitState* bearer) {
+                   return class_of(*bearer) == class_of(*bearers->front());
+               });
+    };
+    return is_of_one_class(Side::Source) && is_of_one_class(Side::Target);
 }
 
 bool OwnNames::is_one_thing(const RescopedName& name, const UnitState& unit, Side side) {

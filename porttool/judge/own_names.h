@@ -31,6 +31,10 @@ public:
     /// The units of a side that bear a name, or nullptr for none.
     const std::vector<const UnitState*>* of(Side side, std::string_view name);
 
+    /// True if both units of a pair are known by one name that no class beside theirs has as well. A method that a
+    /// whole family has, `Layer::forward`, is known by its class; an entry point `main` by its file.
+    bool are_one(const BySide<const UnitState*>& units);
+
     /// True if a name surely is one thing with its scope and without, as `unit` says it: the scope is that of a library
     /// (`std::`), of the unit itself or of a `using` of its file, and nothing else of that side is called so there.
     ///

@@ -14,6 +14,7 @@
 #include "porttool/compare/learned_words.h"
 #include "porttool/compare/member_elements.h"
 #include "porttool/compare/other_rounding.h"
+#include "porttool/compare/owed_edit.h"
 #include "porttool/compare/own_switches.h"
 #include "porttool/compare/own_words.h"
 #include "porttool/compare/plain_choices.h"
@@ -106,26 +107,6 @@ bool are_one_without_switches(const SwitchlessTexts& said, const Dialect& dialec
             !edits_contradict(texts, dialect));
 }
 
-/// What nothing settled: a port that did the source's edit and more has changed alone in that, and edits of which more
-/// than half is not the other's cannot be held against each other.
-///
-///                 source                                   port
-///     error       k = a * 2;  ->  k = a * 3;               k = a * 2;  ->  k = a * 4;
-///     warning     load(a); f(a);  ->  prefetch(a); g(a);   read(b); go(b);  ->  Task t = plan(b); t.run(); log(t);
-void weigh_what_is_left(const JudgedPair& pair, const PairComparison& found, const PairTexts& texts, Finding& finding) {
-    constexpr size_t kMore = 3;   // statements that are no slip of the port's
-    constexpr size_t kLeast = 5;  // statements of both sides that are no two edits of one line
-    const auto is_most = [&](Side side) {
-        return 2 * found.left[side] >= found.edits[side].lost.size() + found.edits[side].gained.size();
-    };
-    if (found.left.source == 0 && found.left.target >= kMore)
-        weaken(pair, finding, Level::Warning, "the port did what the source did, and more");
-    else if (found.left.source + found.left.target >= kLeast && is_most(Side::Source) && is_most(Side::Target) &&
-             words_edited(texts.source_before, texts.source_now) >= kNoSlip &&
-             words_edited(texts.target_before, texts.target_now) >= kNoSlip)
-        doubt(pair, finding, "hardly anything of one edit has its like in the other");
-}
-
 }  // namespace
 
 /// True if the branches for the compiler that only one side has may be under a wrong switch: one that nothing else of
@@ -144,6 +125,32 @@ bool TwoSidedWeight::has_doubtful_switch(const PairTexts& texts, const JudgedPai
         }
     }
     return false;
+}
+
+/// What nothing settled: a port that did the source's edit and more has changed alone in that. Edits of which more than
+/// half is not the other's cannot be held against each other, nor those of texts that say little alike, but for units
+/// of one name.
+///
+///                 source                                   port
+///     error       k = a * 2;  ->  k = a * 3;               k = a * 2;  ->  k = a * 4;
+///     warning     load(a); f(a);  ->  prefetch(a); g(a);   read(b); go(b);  ->  Task t = plan(b); t.run(); log(t);
+void TwoSidedWeight::weigh_what_is_left(const JudgedPair& pair, const PairComparison& found, const PairTexts& texts,
+                                        Finding& finding) {
+    constexpr size_t kMore = 3;   // statements that are no slip of the port's
+    constexpr size_t kLeast = 5;  // statements of both sides that are no two edits of one line
+    const auto is_most = [&](Side side) {
+        return 2 * found.left[side] >= found.edits[side].lost.size() + found.edits[side].gained.size();
+    };
+    const LoneTexts of_source{texts.source_before, texts.source_now, texts.target_before};
+    LaidEdit laid(of_source, dialect_);
+    if (found.left.source == 0 && found.left.target >= kMore)
+        weaken(pair, finding, Level::Warning, "the port did what the source did, and more");
+    else if (found.left.source + found.left.target >= kLeast && is_most(Side::Source) && is_most(Side::Target) &&
+             words_edited(texts.source_before, texts.source_now) >= kNoSlip &&
+             words_edited(texts.target_before, texts.target_now) >= kNoSlip)
+        doubt(pair, finding, "hardly anything of one edit has its like in the other");
+    else if (!own_names_.are_one(pair.unit) && !are_mostly_alike(laid))
+        weaken(pair, finding, Level::Warning, "the two texts say too little alike to tell whether the edits are one");
 }
 
 /// Edits of both sides of a function that seem to be one are a note. Beside the text, how the files declare what it

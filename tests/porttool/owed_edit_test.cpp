@@ -121,6 +121,30 @@ TEST(OwedEdit, AMethodThatAWholeFamilyHasIsKnownByItsClass) {
     EXPECT_EQ(level_of_method("Fast::run", "Plain::run", kTwin, number, another), "error");
 }
 
+TEST(OwedEdit, WhetherEditsOfTextsThatSayLittleAlikeAreOneIsHardToTell) {
+    const auto level = [](const std::string& source, const std::string& port, const std::string& body,
+                          const Edit& there) {
+        const std::string from = replaced(kSource, "void f(", "void " + source + "("),
+                          to = replaced(body, " f(", " " + port + "(");
+        MemoryDisk disk;
+        disk.files = {{"/r/s/k.cpp", from},
+                      {"/r/t/k.cpp", to},
+                      {"/r/portmap.toml",
+                       "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n[[pair]]\nsource = \"s/k.cpp:" +
+                           source + "\"\ntarget = \"t/k.cpp:" + port + "\"\n"}};
+        EXPECT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0);
+        disk.files["/r/s/k.cpp"] = replaced(from, "* 0.5f", "* 0.25f");
+        disk.files["/r/t/k.cpp"] = replaced(to, there.from, there.to);
+        const auto report = check(disk);
+        EXPECT_EQ(report["findings"][0]["rule"], "port-differs");
+        return report["findings"][0]["level"].get<std::string>();
+    };
+    const Edit quota = {"", "ctx->quota()", "ctx->quota(2)"}, third = {"", "* 0.5f", "* 0.125f"};
+    EXPECT_EQ(level("scale_rows", "RunPlan", kStranger, quota), "warning");
+    EXPECT_EQ(level("scale_rows", "scale_rows", kStranger, quota), "error");
+    EXPECT_EQ(level("scale_rows", "RunPlan", kTwin, third), "error");
+}
+
 TEST(OwedEdit, LongEditsOfWhatThePortDoesInItsOwnWay) {
     const std::vector<Edit> edits = {
         {"what stands around has no like", "y.flush(rows);",
