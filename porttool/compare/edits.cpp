@@ -10,6 +10,7 @@
 #include "porttool/compare/positions.h"
 #include "porttool/compare/renaming.h"
 #include "porttool/compare/same_words.h"
+#include "porttool/compare/side_edit.h"
 #include "porttool/normal/diff.h"
 
 namespace porttool {
@@ -125,7 +126,8 @@ bool now_says_what_other_says(const LoneTexts& texts, Side side, const Dialect& 
     const bool tells = std::any_of(edit.gained.begin(), edit.gained.end(),
                                    [&](size_t i) { return edit.now[i].common.size() >= kLeastWords; });
     if (!tells || (edit.gained.size() == 1 && edit.lost.size() == 1)) return false;
-    return found.in_common(edit.now) >= found.in_common(edit.before) + edit.gained.size();
+    if (found.in_common(edit.now) < found.in_common(edit.before) + edit.gained.size()) return false;
+    return !brings_part_of(SideEdit({}, there, dialect), SideEdit(before, now, dialect));
 }
 
 }  // namespace porttool

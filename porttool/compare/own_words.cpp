@@ -298,6 +298,18 @@ bool bring_other_members(const PairTexts& texts, const Dialect& dialect) {
     return brings_other_member(source, target, Distance(source.now, target.now, dialect), dialect);
 }
 
+bool one_takes_a_name(const PairTexts& texts, const Dialect& dialect) {
+    const SideEdit source(texts.source_before, texts.source_now, dialect),
+        target(texts.target_before, texts.target_now, dialect);
+    const auto takes = [](const SideEdit& here, const SideEdit& there) {
+        return std::any_of(here.lost.begin(), here.lost.end(), [&](const std::string& word) {
+            return is_word_token(word) && times_in(here.has, word) < times_in(here.had, word) &&
+                   times_in(there.had, word) > 0 && times_in(there.has, word) >= times_in(there.had, word);
+        });
+    };
+    return takes(source, target) || takes(target, source);
+}
+
 bool are_twins(const Words& a, const Words& b, const Dialect& dialect) {
     if (a.size() + b.size() > kMostBeside) return true;
     const SideEdit here(a, a, dialect), there(b, b, dialect);
@@ -326,6 +338,7 @@ Nearing draws_nearer(LaidEdit& laid) {
         std::includes(today.covered.begin(), today.covered.end(), then.covered.begin(), then.covered.end());
     if ((!keeps_what_was_alike && astray > 0) || !signs_arrive(edit, other, {then, today})) return Nearing::No;
     if (brings_other_member(edit, other, today, dialect)) return Nearing::WithOtherMembers;
+    if (brings_part_of(other, edit)) return Nearing::InPart;
     const bool in_order =
         !rewrites_in_another_order(edit, today) && grouping_of_edit(laid.texts(), dialect) == Grouping::Alike;
     return in_order ? Nearing::Yes : Nearing::InAnotherOrder;

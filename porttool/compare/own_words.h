@@ -26,6 +26,14 @@ bool edits_in_own_words(const PairTexts& texts, const Dialect& dialect);
 /// one.
 bool bring_other_members(const PairTexts& texts, const Dialect& dialect);
 
+/// True if one side's edit took a name that both said before, and the other says it as often as it did: what it took
+/// with that stands there still.
+///
+///                 source                                      port
+///     before      w *= hit.albedo;                            weight *= at.albedo;
+///     now         w *= hit.albedo; if (w < q) stop(w / q);    if (weight < q) stop(weight / q);
+bool one_takes_a_name(const PairTexts& texts, const Dialect& dialect);
+
 /// True if less than one word in ten of two texts has no like in the other: such texts are held to every word.
 bool are_twins(const Words& a, const Words& b, const Dialect& dialect);
 
@@ -34,6 +42,7 @@ enum class Nearing : uint8_t {
     No,
     InAnotherOrder,    ///< its words, some of them where the other side has others, or in other brackets or types: a
                        ///< wrong port, or another manner
+    InPart,            ///< see brings_part_of()
     WithOtherMembers,  ///< but for a member or function, see bring_other_members()
     Yes,
 };

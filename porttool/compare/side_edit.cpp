@@ -67,6 +67,12 @@ Words without_unequal_zero(const Words& words) {
 
 }  // namespace
 
+bool brings_part_of(const SideEdit& other, const SideEdit& edit) {
+    return std::any_of(edit.gained.begin(), edit.gained.end(), [&](const std::string& word) {
+        return is_word_token(word) && !edit.had.contains(word) && times_in(edit.has, word) < times_in(other.has, word);
+    });
+}
+
 bool are_like(std::string_view a, std::string_view b) {
     const std::set<std::string> x = parts_of(a), y = parts_of(b);
     size_t shared = 0;

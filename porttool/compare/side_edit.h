@@ -34,6 +34,13 @@ private:
 /// How often it is there, in `had` or `has`.
 size_t times_in(const std::map<std::string, size_t>& words, const std::string& word);
 
+/// True if an edit brought a name that the other side says more often: what it does with that, to all appearance, lacks
+/// a part.
+///
+///     other      int h = i * 7; h ^= h >> 4; y = h;
+///     edit       int h = i * 7; y = h;
+bool brings_part_of(const SideEdit& other, const SideEdit& edit);
+
 /// True if half of the words that two names are made of are the same, or all of their letters.
 ///
 ///     ggml_cuda_op_add    ggmlSyclAdd            like

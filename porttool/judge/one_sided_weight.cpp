@@ -200,9 +200,11 @@ void OneSidedWeight::weigh(JudgedPair& pair, Side side, const NormalText& before
         const std::string why =
             there_is + (in_order                               ? " has most of it"
                         : nearing == Nearing::WithOtherMembers ? " has most of it, with another member or function"
+                        : nearing == Nearing::InPart           ? " has most of it, and says more of what it brings"
                                                                : " has its words, some in other places");
         if (in_order && !is_slip) return weaken(pair, finding, Level::Note, why);
-        if (!is_likely_owed(laid, own_names_.are_one(pair.unit))) return doubt_edit(pair, laid, why, finding);
+        if (nearing != Nearing::InPart && !is_likely_owed(laid, own_names_.are_one(pair.unit)))
+            return doubt_edit(pair, laid, why, finding);
         return weaken(pair, finding, Level::Warning, why);
     }
     weigh_ground(pair, side, laid, finding);

@@ -207,7 +207,7 @@ void TwoSidedWeight::weigh(const JudgedPair& pair, const PairComparison& found, 
               "each side says what the other does, one of them within branches for the compiler");
     else if (edits_in_own_words(texts, dialect_))
         weigh(grouping_of_edits(texts, dialect_) == Grouping::Alike && !edits_contradict(learned, dialect_) &&
-                      !bring_other_members(texts, dialect_)
+                      !bring_other_members(texts, dialect_) && !one_takes_a_name(texts, dialect_)
                   ? Level::Note
                   : Level::Warning,
               "each side says for the most part what the other does");

@@ -1665,6 +1665,22 @@ TEST(QuietGate, AnotherFunctionOfMathematicsIsNoEditInOwnWords) {
     EXPECT_EQ(after_both("floorf(v * p.kneeLevel)", "std::floor(v * p.knee_level)"), Loud{});
 }
 
+TEST(QuietGate, WhatOnlyOneOfBothTakesIsTold) {
+    const auto after = [](const std::string& kept) {
+        const std::string last = "y[i] = w / (v + 1.0f);", limit = "if (w > p.limit) w = p.limit;";
+        const auto now = [&](const std::string& text, const std::string& root, const std::string& before) {
+            const std::string more =
+                "if (i > p.least) { float q = " + root + "(w, v * p.slope); w /= q - p.floor; v *= q; }\n";
+            return replaced(replaced(text, last, more + last), limit, before);
+        };
+        return loud({{"s/k.cu", kWeighKernel}, {"t/k.cpp", kWeighLoop}},
+                    {{"s/k.cu", now(kWeighKernel, "fmaxf", limit)}, {"t/k.cpp", now(kWeighLoop, "std::max", kept)}},
+                    {"s/k.cu:f=t/k.cpp:f"});
+    };
+    EXPECT_EQ(after("if (w > p.limit) w = p.limit;"), Loud{});
+    EXPECT_EQ(after(""), Loud{"port-differs s/k.cu:f"});
+}
+
 TEST(QuietGate, AMemberThatBothHadIsNoWordOfOneSidesOwn) {
     const auto after_both = [](const std::string& member) {
         const std::string last = "y[i] = w / (v + 1.0f);";
@@ -1687,7 +1703,9 @@ const std::string kMarch =
     "    c += p.glow * (left * a * rho);\n    left *= 1.0f - a;\nMORE    t += p.step;\n  }\n  y[i] = c;\n";
 
 /// The level of what is told after a kernel came to stop in those words, as its port has long stopped.
-std::string after_catching_up(const std::string& stop) {
+std::string after_catching_up(const std::string& stop, const std::string& there =
+                                                           "if (left < p.stop) { c /= std::max(1.0f - left, p.eps); "
+                                                           "left = 0.0f; break; }\n") {
     const auto kernel = [](const std::string& more) {
         return "__global__ void f(const float* x, const float* d, float* y, P p, int n) {\n"
                "  int i = blockIdx.x * blockDim.x + threadIdx.x;\n  if (i >= n) return;\n" +
@@ -1696,9 +1714,7 @@ std::string after_catching_up(const std::string& stop) {
     const std::string port =
         "void f(const std::vector<float>& x, const std::vector<float>& d, std::vector<float>& y, const P& p) {\n"
         "  for (int i = 0; i < int(x.size()); ++i) {\n" +
-        replaced(replaced(kMarch, "EXP", "std::exp"), "MORE",
-                 "if (left < p.stop) { c /= std::max(1.0f - left, p.eps); left = 0.0f; break; }\n") +
-        "  }\n}\n";
+        replaced(replaced(kMarch, "EXP", "std::exp"), "MORE", there) + "  }\n}\n";
     MemoryDisk disk;
     disk.files["/r/s/k.cu"] = kernel("");
     disk.files["/r/t/k.cpp"] = port;
@@ -1718,6 +1734,20 @@ TEST(QuietGate, ASideThatCatchesUpInAnotherFunctionOrJumpDoesNot) {
     EXPECT_EQ(after_catching_up(replaced(stop, "break", "continue")), "error");
     EXPECT_EQ(after_catching_up(replaced(stop, "p.stop", "p.step")), "error");
     EXPECT_EQ(after_catching_up(replaced(stop, "p.stop", "p.least")), "warning") << "a member that is new here";
+}
+
+TEST(QuietGate, ASideThatCatchesUpWithAPartIsAWarning) {
+    const std::string first = "float g = p.g * p.g;\n", next = "float h = 1.0f + g - 2.0f * p.g * a;\n",
+                      last = "c += (1.0f - g) / (h * sqrtf(h)) * p.glow;\n",
+                      there = first + next + replaced(last, "sqrtf", "std::sqrt");
+    const std::string whole = after_catching_up(first + next + last, there);
+    EXPECT_TRUE(whole.empty() || whole == "note") << whole;
+    for (const std::string& part : {first + last, next + last})
+        EXPECT_EQ(after_catching_up(part, there), "warning") << part;
+    EXPECT_NE(after_catching_up("c = p.wrap ? fmodf(c, p.most) : c;\n",
+                                "c = p.wrap ? std::fmod(c, p.most) : c;\n    t = p.wrap ? std::fmod(t, p.end) : t;\n"),
+              "note")
+        << "one of two members";
 }
 
 TEST(QuietGate, ALabelThatJoinsAnotherArmThanThere) {
