@@ -291,6 +291,15 @@ private:
             append("porttool_is_no_cplusplus", apart);
             return i + 1;
         }
+        if (is_one_of(word, {"ext_vector_type", "__ext_vector_type__"}) && next == "(") {
+            if (const std::string element = element_of_typedef(i); !element.empty()) {  // Clang's, as GCC has it
+                append("vector_size(sizeof(" + element + ") * ", apart);
+                uint32_t close = i + 2;
+                while (close < end && view(close) != ")") ++close;
+                tokens({i + 2, close}, {});
+                return close;
+            }
+        }
         if (word == "restrict") {
             append("__restrict", apart);
             return i + 1;
@@ -317,6 +326,19 @@ private:
         const std::string wide = manner_.widens ? widened(word) : std::string();
         append(wide.empty() ? word : wide, apart);
         return i + 1;
+    }
+
+    /// `T` of `typedef T name __attribute__((...` where that stands before `i`; "" for others.
+    std::string element_of_typedef(uint32_t i) const {
+        constexpr uint32_t kNear = 16;  // tokens
+        uint32_t first = i;
+        while (first > 0 && i - first < kNear && !is_one_of(view(first), {"typedef", ";", "}"})) --first;
+        uint32_t end = first;
+        while (end < i && view(end) != "__attribute__") ++end;
+        if (view(first) != "typedef" || end < first + 3 || end == i) return {};
+        std::string type;
+        for (uint32_t at = first + 1; at + 1 < end; ++at) (type.empty() ? type : type += ' ') += view(at);
+        return type;
     }
 
     /// True for `v.x()` as SYCL asks for a component, in a file that speaks of SYCL and has no function of that name.

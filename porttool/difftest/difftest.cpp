@@ -375,6 +375,11 @@ private:
         }
         if (!pair.reason.empty()) return;
         const size_t differing = tell_outcome(pair, trial, table, settings_.ulps);
+        // That what one side alone takes is 0 on the other was a guess.
+        if (differing > 0 && !match.lone.empty()) {
+            pair = {pair.source, pair.target, DifftestState::NotRun, 0, "", {}, why_not};
+            return;
+        }
         if (pair.state != DifftestState::NotRun && pair.reason.empty() && !work.subject.source.stood_in.empty())
             pair.reason = "with one answer on both sides for what reads bindings";
         tell_assumed(pair, work.subject);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
+#include <utility>
 
 namespace porttool {
 namespace {
@@ -200,11 +202,50 @@ bool match_used(const BySide<const std::vector<Leaf>*>& leaves, const BySide<Use
     return true;
 }
 
+/// The name of the parameter that a number belongs to.
+std::string_view parameter_of(const Leaf& leaf) {
+    return std::string_view(leaf.path).substr(0, leaf.path.find_first_of(".["));
+}
+
+/// A lone whole number that one side takes among parameters that both have under the same names in one order: by its
+/// number there, and the side. `f ( rows , n , first )` and `f ( rows , n )`.
+std::optional<std::pair<Side, int>> lone_parameter(const BySide<const std::vector<Leaf>*>& leaves,
+                                                   const BySide<UsedPlaces>& places) {
+    BySide<std::vector<std::pair<std::string_view, int>>> names;
+    for (const Side side : kBothSides)
+        for (const auto& [parameter, numbers] : places[side].used)
+            names[side].emplace_back(parameter_of((*leaves[side])[numbers.front()]), parameter);
+    const Side more = names.source.size() > names.target.size() ? Side::Source : Side::Target;
+    auto& longer = names[more];
+    const auto& shorter = names[other(more)];
+    if (longer.size() != shorter.size() + 1) return std::nullopt;
+    size_t at = 0;
+    while (at < shorter.size() && longer[at].first == shorter[at].first) ++at;
+    const auto [name, parameter] = longer[at];
+    longer.erase(longer.begin() + static_cast<ptrdiff_t>(at));
+    const bool others_agree = std::equal(longer.begin(), longer.end(), shorter.begin(),
+                                         [](const auto& a, const auto& b) { return a.first == b.first; });
+    const std::vector<size_t>& numbers = places[more].used.at(parameter);
+    const bool is_one = numbers.size() == 1 && (*leaves[more])[numbers.front()].path == name;
+    if (!others_agree || !is_one || name.empty()) return std::nullopt;
+    const NumberKind kind = (*leaves[more])[numbers.front()].kind;
+    return kind == NumberKind::Signed || kind == NumberKind::Unsigned ? std::optional(std::pair(more, parameter))
+                                                                      : std::nullopt;
+}
+
 bool match_used_side(const BySide<const std::vector<Leaf>*>& leaves, const BySide<TextOfSide>& texts, bool are_given,
                      std::vector<BySide<size_t>>& out, LeafMatch& guesses) {
     out.clear();
-    const BySide<UsedPlaces> places = {used_places(*leaves.source, texts.source, are_given),
-                                       used_places(*leaves.target, texts.target, are_given)};
+    BySide<UsedPlaces> places = {used_places(*leaves.source, texts.source, are_given),
+                                 used_places(*leaves.target, texts.target, are_given)};
+    if (const auto lone = are_given ? std::nullopt : lone_parameter(leaves, places)) {
+        const auto& [side, parameter] = *lone;
+        const size_t place = places[side].used.at(parameter).front();
+        guesses.lone = (*leaves[side])[place].path;
+        guesses.zeroed = guesses.lone;
+        guesses.marks[side].push_back(place);
+        places[side].used.erase(parameter);
+    }
     const auto &ours = places.source.used, &theirs = places.target.used;
     if (ours.size() != theirs.size()) return false;
     auto other = theirs.begin();

@@ -39,6 +39,7 @@ struct LeafMatch {
     std::vector<BySide<size_t>> in, out;  ///< places among the leaves; what stands in none is 0, and not compared
     std::string zeroed;                   ///< a mark that one side alone keeps, which is 0; "" for none
     BySide<std::vector<size_t>> marks;    ///< the places of such marks among what each side takes
+    std::string lone;                     ///< a parameter that one side alone has, which is 0; "" for none
     std::string ordered;                  ///< of the numbers that were paired by their order one; "" for none
     std::string reason;
 };

@@ -76,6 +76,70 @@ std::vector<std::string> fields_of(const Definition& one) {
     return out;
 }
 
+namespace {
+
+/// A struct or union within another one, which has no name of a type.
+struct NestedPart {
+    std::string name;                 ///< of the member; "" for none, or what a macro may make none
+    std::vector<std::string> fields;  ///< that stand directly in it
+    bool is_union = false;
+};
+
+/// Written in capitals, as macros are.
+bool may_be_macro(std::string_view name) {
+    return name.size() > 2 && std::none_of(name.begin(), name.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+}
+
+/// The parts whose fields are reached without a name, or by one that a macro may make none.
+std::vector<NestedPart> nested_parts(const Definition& one) {
+    std::vector<NestedPart> out;
+    const LexedText& lexed = one.file->lexed;
+    std::vector<std::string_view> words;
+    for (uint32_t i = one.tokens.first; i < one.tokens.end; ++i)
+        if ((lexed.tokens[i].flags & (kDead | kInDirective)) == 0) words.push_back(lexed.view(i));
+    const auto first = std::find(words.begin(), words.end(), "{");
+    NestedPart part;
+    std::string last;
+    bool named = false;
+    int depth = 0;
+    for (auto at = first == words.end() ? first : first + 1; at != words.end(); ++at) {
+        if (*at == "{" && depth++ == 0) {
+            part = {};
+            part.is_union = *(at - 1) == "union";
+            last = part.is_union || *(at - 1) == "struct" ? "" : "?";  // a type with a name, or a list of values
+            if (!last.empty()) part.name = "?";
+            continue;
+        }
+        if (*at == "}" && --depth < 0) break;
+        if (*at == "}" && depth == 0) {
+            const bool has_name = at + 2 < words.end() && is_word_token(*(at + 1)) && *(at + 2) == ";";
+            const bool has_none = at + 1 < words.end() && *(at + 1) == ";";
+            if (part.name.empty() && !part.fields.empty() && (has_none || (has_name && may_be_macro(*(at + 1))))) {
+                part.name = has_name ? std::string(*(at + 1)) : std::string();
+                out.push_back(part);
+            }
+        }
+        if (depth != 1) {
+            named = depth > 1;  // what a part within the part is called does not count
+            last.clear();
+            continue;
+        }
+        if (*at == ";") {
+            if (!last.empty() && !named) part.fields.push_back(last);
+            last.clear();
+            named = false;
+        } else if (*at == "[" || *at == "=" || *at == ":" || *at == "(") {
+            if (!last.empty() && !named) part.fields.push_back(last);
+            named = true;
+        } else if (!named && is_word_token(*at)) {
+            last = *at;
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
 std::string announced(const Definition& one, const CppManner& manner) {
     const LexedText& lexed = one.file->lexed;
     for (uint32_t i = one.tokens.first; i < one.tokens.end && lexed.view(i) != "{"; ++i) {
@@ -93,10 +157,19 @@ std::string visitor(const Definition& one, const CppManner& manner, const std::s
                                   head, head.empty() ? "" : ", ", one.name, arguments);
     for (const std::string& base : bases_of(one))
         out += fmt::format("porttool_harness::walk(v, \"\", static_cast<{}&>(x));\n", base);
+    std::set<std::string> through_parts;
+    for (const NestedPart& part : nested_parts(one)) {
+        through_parts.insert(part.name);
+        const size_t from = part.is_union ? part.fields.size() - 1 : 0;  // one of those that lie in one place
+        for (size_t i = from; i < part.fields.size(); ++i)
+            out += fmt::format("porttool_harness::walk_unnamed(v, \"{0}\", PORTTOOL_MEMBER(x, {1}).{0});\n",
+                               part.fields[i], part.name);
+    }
     for (const std::string& field : fields_of(one))
-        out += fmt::format("porttool_harness::{1}(v, \"{0}\", x.{0}{2});\n", field,
-                           words.contains(field) ? "walk" : "walk_unnamed",
-                           is_name_in_c(field, one.file->language) ? "_" : "");
+        if (!through_parts.contains(field))
+            out += fmt::format("porttool_harness::{1}(v, \"{0}\", x.{0}{2});\n", field,
+                               words.contains(field) ? "walk" : "walk_unnamed",
+                               is_name_in_c(field, one.file->language) ? "_" : "");
     return out + "}\n";
 }
 

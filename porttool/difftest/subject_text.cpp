@@ -78,8 +78,9 @@ std::string subject_text(const Subject& subject, int number, const Definitions& 
             manner.body = answer(one, stand_in->second);
         (one.kind == Definition::Kind::Macro ? before : pieces) += cpp_text(piece, manner);
         if (one.kind == Definition::Kind::Struct) {
-            std::string& all = one.conditions.empty() ? visitors : conditional;
-            all += under_conditions(one, visitor(one, manner, words), manner);
+            const std::string visit = visitor(one, manner, words);
+            const bool needs_macros = !one.conditions.empty() || visit.find("PORTTOOL_MEMBER") != std::string::npos;
+            (needs_macros ? conditional : visitors) += under_conditions(one, visit, manner);
             if (const std::string head = announced(one, manner); !head.empty())
                 announcements += under_conditions(one, head, manner);
         }

@@ -314,6 +314,10 @@ void walk_pointer(V& v, T*& x) {
     }
 }
 
+/// A member by a name that may be a macro, and that of nothing: `x.data`, or `x`.
+#define PORTTOOL_MEMBER(x, name) PORTTOOL_MEMBER_OF(x, name)
+#define PORTTOOL_MEMBER_OF(x, ...) x __VA_OPT__(.) __VA_ARGS__
+
 /// A field that no text names: what cannot be filled of that stays 0.
 template <class V, class T>
 void walk_unnamed(V& v, const char* name, T& x) {

@@ -28,6 +28,13 @@ using ByNumber = std::conditional_t<std::is_floating_point_v<A>, A, std::common_
 template <class T, int N>
 struct Storage;
 template <class T>
+struct Storage<T, 1> {
+    union {
+        T at[1];
+        T x, r, s, s0;
+    };
+};
+template <class T>
 struct Storage<T, 2> {
     union {
         T at[2];
@@ -118,6 +125,10 @@ struct vec : Storage<T, N> {
     /// SYCL's; to the nearest real, to the whole number towards 0.
     template <class A, rounding_mode R = rounding_mode::automatic>
     requires(R == rounding_mode::automatic) constexpr vec<A, N> convert() const { return vec<A, N>(*this); }
+    /// SYCL's; the same bytes as another vector.
+    template <class V>
+    requires(sizeof(V) == sizeof(T) * N) constexpr V as() const { return std::bit_cast<V>(*this); }
+    static constexpr int size() { return N; }
 
 private:
     template <class A>
