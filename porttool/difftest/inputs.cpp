@@ -239,13 +239,6 @@ void draw_inputs(const std::vector<Leaf>& leaves, const std::vector<double>& con
                 out[i] = static_cast<uint64_t>(static_cast<int64_t>(out[i]) % (most + 1));
 }
 
-uint64_t slot_of(uint64_t input, const Leaf& common, const Leaf& leaf) {
-    if (!common.is_real()) return input;
-    const auto value = std::bit_cast<double>(input);
-    if (leaf.kind == NumberKind::Double) return input;
-    return std::bit_cast<uint32_t>(static_cast<float>(value));
-}
-
 double size_of_record(const uint64_t* record, const std::vector<Leaf>& leaves) {
     double out = 0;
     for (size_t i = 0; i < leaves.size(); ++i) {

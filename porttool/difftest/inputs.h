@@ -21,9 +21,6 @@ std::vector<Leaf> common_inputs(const Leaves& source, const Leaves& target, cons
 void draw_inputs(const std::vector<Leaf>& leaves, const std::vector<double>& constants, size_t records, uint64_t seed,
                  int64_t most, InputTable& out);
 
-/// The slot of a number as the program of one side reads it.
-uint64_t slot_of(uint64_t input, const Leaf& common, const Leaf& leaf);
-
 /// The largest size of a real in a record: infinite also where one is no number.
 double size_of_record(const uint64_t* record, const std::vector<Leaf>& leaves);
 

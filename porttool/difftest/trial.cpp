@@ -37,6 +37,15 @@ double value_of(uint64_t slot, const Leaf& leaf) {
     return static_cast<double>(static_cast<int64_t>(slot));
 }
 
+/// Where a number of the table goes in a row of one side, and as what.
+struct Slot {
+    size_t place;
+    bool is_float;
+    uint64_t of(uint64_t input) const {
+        return is_float ? std::bit_cast<uint32_t>(static_cast<float>(std::bit_cast<double>(input))) : input;
+    }
+};
+
 }  // namespace
 
 Trial::Trial(const BuiltSide& source, const BuiltSide& target, const LeafMatch& match, Tolerance tolerance,
@@ -47,6 +56,11 @@ Trial::Trial(const BuiltSide& source, const BuiltSide& target, const LeafMatch& 
       tolerance_(tolerance),
       folder_(std::move(folder)),
       inputs_(common_inputs(source.leaves, target.leaves, match)),
+      is_told_by_bits_(std::all_of(match.out.begin(), match.out.end(),
+                                   [&](const BySide<size_t>& place) {
+                                       const Leaf& ours = source.leaves.out[place.source];
+                                       return !ours.is_real() || ours.kind == target.leaves.out[place.target].kind;
+                                   })),
       memory_(memory),
       wide_(wide) {}
 
@@ -62,10 +76,17 @@ std::string Trial::run_side(const BuiltSide& side, const InputTable& table, bool
     uint64_t* next = in.slots().data();
     std::vector<uint64_t> row(side.leaves.in.size());
     for (const size_t place : match_.marks[which]) row[place] = mark_;
+    std::vector<Slot> slots;
+    for (size_t i = 0; i < inputs_.size(); ++i) {
+        const size_t place = match_.in[i][which];
+        const bool is_float = inputs_[i].is_real() && side.leaves.in[place].kind != NumberKind::Double;
+        slots.push_back({place, is_float});
+    }
+    const uint64_t* input = table.data();
     for (size_t record = 0; record < records_; ++record) {
-        for (size_t i = 0; i < inputs_.size(); ++i) {
-            const size_t place = match_.in[i][which];
-            row[place] = slot_of(table[record * inputs_.size() + i], inputs_[i], side.leaves.in[place]);
+        for (const Slot& slot : slots) {
+            row[slot.place] = slot.of(*input);
+            ++input;
         }
         if (side.calls.empty()) next = std::copy(row.begin(), row.end(), next);
         for (const std::vector<size_t>& numbers : side.calls)
@@ -128,6 +149,13 @@ bool Trial::repeats(const InputTable& table) {
     return run(table).empty() && source == memory_.results.source && target == memory_.results.target;
 }
 
+bool Trial::has_same_bits(size_t record) const {
+    if (!is_told_by_bits_) return false;
+    const uint64_t *const ours = source_row(record) + 1, *const theirs = target_row(record) + 1;
+    return std::all_of(match_.out.begin(), match_.out.end(),
+                       [&](const BySide<size_t>& place) { return ours[place.source] == theirs[place.target]; });
+}
+
 uint64_t Trial::distance_at(size_t record, size_t output) const {
     const BySide<size_t>& place = match_.out[output];
     const Leaf &ours = source_.leaves.out[place.source], &theirs = target_.leaves.out[place.target];
@@ -142,6 +170,7 @@ uint64_t Trial::distance_at(size_t record, size_t output) const {
 }
 
 uint64_t Trial::distance(size_t record) const {
+    if (has_same_bits(record)) return 0;
     uint64_t most = 0;
     for (size_t i = 0; i < output_count(); ++i) most = std::max(most, distance_at(record, i));
     return most;
@@ -171,6 +200,7 @@ bool Trial::is_rounding(size_t record, size_t output) const {
 }
 
 std::optional<size_t> Trial::first_difference(size_t record) const {
+    if (has_same_bits(record)) return std::nullopt;
     for (size_t i = 0; i < output_count(); ++i)
         if (distance_at(record, i) > static_cast<uint64_t>(tolerance_.ulps) && !is_rounding(record, i)) return i;
     return std::nullopt;

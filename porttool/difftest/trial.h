@@ -78,6 +78,8 @@ private:
     std::string run_side(const BuiltSide& side, const InputTable& table, bool is_target, std::vector<uint64_t>& out);
     /// Runs a side on the memory's `in`, rows of `width` slots, into its `out`.
     std::string run_slots(const BuiltSide& side, size_t width, size_t outputs, bool is_target);
+    /// True where all numbers that are compared are the same on both sides, as they nearly always are.
+    bool has_same_bits(size_t record) const;
     uint64_t distance_at(size_t record, size_t output) const;
     bool is_rounding(size_t record, size_t output) const;
     std::optional<double> wide_result(Side side, size_t record, size_t output) const;
@@ -93,6 +95,7 @@ private:
     Tolerance tolerance_;
     std::string folder_;
     std::vector<Leaf> inputs_;
+    bool is_told_by_bits_;  ///< that each output is of one kind on both sides
     size_t records_ = 0;
     bool endless_ = false;
     uint64_t mark_ = 0;  ///< what the marks that one side alone keeps are
