@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "porttool/language/abilities.h"
+#include "porttool/language/language.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/declaration_words.h"
 
@@ -138,7 +138,7 @@ void note_vectors(const Words& text, Language language, VectorNames& names) {
         const bool is_declared =
             is_word_token(text[i + 1]) && is_one_of(text[i + 2], {",", ")", ";", "="}) && is_vector_type(text[i]);
         const bool of_library = i > 1 && text[i - 1] == "::" && text[i - 2] == "glm";
-        if (is_declared && (of_library || abilities_of(language).vectors)) names.insert(text[i + 1]);
+        if (is_declared && (of_library || traits_of(language).vectors)) names.insert(text[i + 1]);
     }
 }
 
@@ -152,7 +152,7 @@ void write_plain_components(Words& statement, const VectorNames& names) {
     }
 }
 
-bool VectorSpelling::brings_vectors() const { return abilities_of(language_).vectors; }
+bool VectorSpelling::brings_vectors() const { return traits_of(language_).vectors; }
 
 void VectorSpelling::note(const Words& text) {
     for (size_t i = 0; i + 2 < text.size(); ++i) {

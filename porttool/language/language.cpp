@@ -6,7 +6,6 @@
 #include <array>
 #include <string>
 
-#include "porttool/language/abilities.h"
 #include "porttool/language/word_list.h"
 #include "porttool/text/letters.h"
 
@@ -16,90 +15,79 @@ namespace {
 constexpr auto kShading = Literals::Shading;
 constexpr auto kAfterLayout = InterfaceBlocks::AfterLayout, kAnyBlock = InterfaceBlocks::Any;
 
+/// A language that has all of C++.
+constexpr LanguageTraits with_cpp(LanguageTraits row) {
+    row.std_library = row.c_libraries = row.references = row.pointers = row.macros = true;
+    return row;
+}
+
+/// A language for kernels or shaders alone, with vectors of its own.
+constexpr LanguageTraits of_devices(LanguageTraits row) {
+    row.macros = row.vectors = row.is_of_devices = true;
+    return row;
+}
+
 // One row a language, in the order of the enumeration.
 constexpr std::array kLanguages = {
-    LanguageTraits{.language = Language::C, .name = "c", .suffixes = ".c", .parameters_before_body = true},
-    LanguageTraits{.language = Language::Cpp,
-                   .name = "cpp",
-                   .suffixes = ".h .hh .hpp .hxx .h++ .cpp .cc .cxx .c++ .inl .ipp .tpp .tcc .txx .ixx .cppm .impl",
-                   .blocks = kAfterLayout},
-    LanguageTraits{.language = Language::Cuda, .name = "cuda", .suffixes = ".cu .cuh"},
-    LanguageTraits{.language = Language::Hip, .name = "hip", .suffixes = ".hip.cpp .hip.h .hip"},
-    LanguageTraits{.language = Language::Sycl, .name = "sycl", .suffixes = ".dp.cpp .dp.hpp .sycl"},
-    LanguageTraits{.language = Language::OpenCl, .name = "opencl", .suffixes = ".cl .clh .ocl"},
-    LanguageTraits{.language = Language::Glsl,
-                   .name = "glsl",
-                   .suffixes = ".glsl .comp .vert .frag .geom .tesc .tese .rgen .rchit .rmiss .rahit .rint .rcall "
-                               ".mesh .task .vs .fs .glslh .vsh .fsh .gsh",
+    LanguageTraits{.language = Language::C,
+                   .name = "c",
+                   .suffixes = ".c",
+                   .parameters_before_body = true,
+                   .c_libraries = true,
+                   .pointers = true,
+                   .macros = true},
+    with_cpp({.language = Language::Cpp,
+              .name = "cpp",
+              .suffixes = ".h .hh .hpp .hxx .h++ .cpp .cc .cxx .c++ .inl .ipp .tpp .tcc .txx .ixx .cppm .impl",
+              .blocks = kAfterLayout}),
+    with_cpp({.language = Language::Cuda, .name = "cuda", .suffixes = ".cu .cuh"}),
+    with_cpp({.language = Language::Hip, .name = "hip", .suffixes = ".hip.cpp .hip.h .hip"}),
+    with_cpp({.language = Language::Sycl, .name = "sycl", .suffixes = ".dp.cpp .dp.hpp .sycl"}),
+    of_devices({.language = Language::OpenCl, .name = "opencl", .suffixes = ".cl .clh .ocl", .pointers = true}),
+    of_devices({.language = Language::Glsl,
+                .name = "glsl",
+                .suffixes = ".glsl .comp .vert .frag .geom .tesc .tese .rgen .rchit .rmiss .rahit .rint .rcall "
+                            ".mesh .task .vs .fs .glslh .vsh .fsh .gsh",
+                .literals = kShading,
+                .blocks = kAnyBlock,
+                .entry_point = "main"}),
+    of_devices({.language = Language::Hlsl,
+                .name = "hlsl",
+                .suffixes = ".hlsl .hlsli .fx .fxh .usf .ush",
+                .literals = kShading}),
+    of_devices({.language = Language::Metal,
+                .name = "metal",
+                .suffixes = ".metal",
+                .literals = kShading,
+                .references = true,
+                .pointers = true}),
+    of_devices({.language = Language::Slang,
+                .name = "slang",
+                .suffixes = ".slang .slangh",
+                .literals = kShading,
+                .blocks = kAfterLayout}),
+    LanguageTraits{.language = Language::Ispc,
+                   .name = "ispc",
+                   .suffixes = ".ispc .isph",
                    .literals = kShading,
-                   .blocks = kAnyBlock,
-                   .entry_point = "main"},
-    LanguageTraits{.language = Language::Hlsl,
-                   .name = "hlsl",
-                   .suffixes = ".hlsl .hlsli .fx .fxh .usf .ush",
-                   .literals = kShading},
-    LanguageTraits{.language = Language::Metal, .name = "metal", .suffixes = ".metal", .literals = kShading},
-    LanguageTraits{.language = Language::Slang,
-                   .name = "slang",
-                   .suffixes = ".slang .slangh",
+                   .pointers = true,
+                   .macros = true},
+    // Its own vectors are called `color` and `point`; a `vector2` there is a header's struct.
+    LanguageTraits{.language = Language::Osl,
+                   .name = "osl",
+                   .suffixes = ".osl",
                    .literals = kShading,
-                   .blocks = kAfterLayout},
-    LanguageTraits{.language = Language::Ispc, .name = "ispc", .suffixes = ".ispc .isph", .literals = kShading},
-    LanguageTraits{.language = Language::Osl, .name = "osl", .suffixes = ".osl", .literals = kShading},
+                   .macros = true,
+                   .is_of_devices = true},
     LanguageTraits{.language = Language::Unknown, .name = "unknown", .blocks = kAfterLayout},
 };
 
-// One row a language, in the same order.
-constexpr std::array kAbilities = {
-    LanguageAbilities{.language = Language::C, .c_libraries = true, .pointers = true, .macros = true},
-    LanguageAbilities{.language = Language::Cpp,
-                      .std_library = true,
-                      .c_libraries = true,
-                      .references = true,
-                      .pointers = true,
-                      .macros = true},
-    LanguageAbilities{.language = Language::Cuda,
-                      .std_library = true,
-                      .c_libraries = true,
-                      .references = true,
-                      .pointers = true,
-                      .macros = true},
-    LanguageAbilities{.language = Language::Hip,
-                      .std_library = true,
-                      .c_libraries = true,
-                      .references = true,
-                      .pointers = true,
-                      .macros = true},
-    LanguageAbilities{.language = Language::Sycl,
-                      .std_library = true,
-                      .c_libraries = true,
-                      .references = true,
-                      .pointers = true,
-                      .macros = true},
-    LanguageAbilities{
-        .language = Language::OpenCl, .pointers = true, .macros = true, .vectors = true, .is_of_devices = true},
-    LanguageAbilities{.language = Language::Glsl, .macros = true, .vectors = true, .is_of_devices = true},
-    LanguageAbilities{.language = Language::Hlsl, .macros = true, .vectors = true, .is_of_devices = true},
-    LanguageAbilities{.language = Language::Metal,
-                      .references = true,
-                      .pointers = true,
-                      .macros = true,
-                      .vectors = true,
-                      .is_of_devices = true},
-    LanguageAbilities{.language = Language::Slang, .macros = true, .vectors = true, .is_of_devices = true},
-    LanguageAbilities{.language = Language::Ispc, .pointers = true, .macros = true},
-    // Its own are called `color` and `point`; a `vector2` there is a header's struct.
-    LanguageAbilities{.language = Language::Osl, .macros = true, .is_of_devices = true},
-    LanguageAbilities{.language = Language::Unknown},
-};
-
-template <class Rows>
-constexpr bool stand_in_order(const Rows& rows) {
-    for (size_t i = 0; i < rows.size(); ++i)
-        if (static_cast<size_t>(rows[i].language) != i) return false;
-    return rows.size() == static_cast<size_t>(Language::Unknown) + 1;
+constexpr bool stand_in_order() {
+    for (size_t i = 0; i < kLanguages.size(); ++i)
+        if (static_cast<size_t>(kLanguages[i].language) != i) return false;
+    return kLanguages.size() == static_cast<size_t>(Language::Unknown) + 1;
 }
-static_assert(stand_in_order(kLanguages) && stand_in_order(kAbilities));
+static_assert(stand_in_order());
 
 bool contains_any(std::string_view text, std::initializer_list<std::string_view> words) {
     return std::any_of(words.begin(), words.end(),
@@ -109,8 +97,6 @@ bool contains_any(std::string_view text, std::initializer_list<std::string_view>
 }  // namespace
 
 const LanguageTraits& traits_of(Language language) { return kLanguages[static_cast<size_t>(language)]; }
-
-const LanguageAbilities& abilities_of(Language language) { return kAbilities[static_cast<size_t>(language)]; }
 
 Language language_of_path(std::string_view path) {
     const std::string_view name = path.substr(path.find_last_of('/') + 1);

@@ -26,6 +26,13 @@ struct LanguageTraits {
     InterfaceBlocks blocks = InterfaceBlocks::None;
     std::string_view entry_point = {};    ///< the name that makes a function a kernel; "": words say so
     bool parameters_before_body = false;  ///< as C had them before prototypes: `int add(a, b) int a; int b; {`
+    bool std_library = false;             ///< that of C++
+    bool c_libraries = false;             ///< what a library of C or C++ has may be called from its host code
+    bool references = false;              ///< `T&`, and templates, as C++ has them
+    bool pointers = false;                ///< `T*`
+    bool macros = false;                  ///< `#define`
+    bool vectors = false;                 ///< of its own: their parts have names for colours, too, `dot` is a function
+    bool is_of_devices = false;           ///< for kernels or shaders alone; many of these have no `double`
 };
 
 const LanguageTraits& traits_of(Language language);

@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "porttool/language/abilities.h"
+#include "porttool/language/language.h"
 #include "porttool/sync/unit_extent.h"
 
 namespace porttool {
@@ -104,10 +104,10 @@ std::string standard_include(const std::string& what, Language there) {
     if (what.size() < 3 || what.front() != '<') return {};
     const std::string meaning = meaning_of_include(what), name = meaning.substr(1, meaning.size() - 2);
     if (meaning.starts_with("<c") && kOfC.contains(name.substr(1))) {
-        if (abilities_of(there).std_library) return what;
+        if (traits_of(there).std_library) return what;
         return there == Language::C ? "<" + name.substr(1) + ".h>" : std::string();
     }
-    return kOfCpp.contains(name) && abilities_of(there).std_library ? what : std::string();
+    return kOfCpp.contains(name) && traits_of(there).std_library ? what : std::string();
 }
 
 std::vector<TextEdit> port_includes(const ScannedFile& before, const ScannedFile& now, const ScannedFile& port,

@@ -9,8 +9,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "porttool/language/abilities.h"
 #include "porttool/language/dialect.h"
+#include "porttool/language/language.h"
 #include "porttool/scan/unit.h"
 #include "porttool/sync/launch_manner.h"
 
@@ -75,7 +75,7 @@ public:
     /// True for `double` where the target's language is one of devices, of which many have none, and the source's is
     /// not.
     bool may_lack(std::string_view type) const {
-        return type == "double" && there().is_of_devices && !abilities_of(from_.edited.language).is_of_devices;
+        return type == "double" && there().is_of_devices && !traits_of(from_.edited.language).is_of_devices;
     }
     /// True for a language that has the standard library of C++.
     bool has_std() const { return there().std_library; }
@@ -111,7 +111,7 @@ public:
     /// True for what a file of the source's side declares.
     bool is_of_source(std::string_view word) const;
     /// True where both files may call what a library has: host code of one family of languages.
-    bool are_both_cpp() const { return abilities_of(from_.edited.language).c_libraries && there().c_libraries; }
+    bool are_both_cpp() const { return traits_of(from_.edited.language).c_libraries && there().c_libraries; }
     /// True for a qualifier that both languages have, whether the target's file uses it or not.
     bool is_qualifier_of_both(std::string_view word) const;
     /// True where both files may include the same headers of the project.
@@ -153,7 +153,7 @@ private:
     using Uses = SideWords::Uses;
 
     void add_name(TokenRange parameter);
-    const LanguageAbilities& there() const { return abilities_of(to_.edited.language); }
+    const LanguageTraits& there() const { return traits_of(to_.edited.language); }
     bool is_in_source_file(std::string_view word) const;
     bool speaks(std::string_view runtime) const;
     bool scopes_builtins() const;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "porttool/language/abilities.h"
+#include "porttool/language/language.h"
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/normal/unit_state.h"
@@ -145,7 +145,7 @@ private:
 
     std::string template_prefix(const HeadParts& head) {
         if (head.template_prefix.empty()) return {};
-        if (!abilities_of(here_).references || !abilities_of(there_).references) fail("it is a template");
+        if (!traits_of(here_).references || !traits_of(there_).references) fail("it is a template");
         const Token &last = lexed_.tokens[head.template_prefix.end - 1],
                     &next = lexed_.tokens[head.template_prefix.end];
         const size_t end = last.offset + last.length;
@@ -212,7 +212,7 @@ private:
         for (const std::string& word : source.words) {
             const bool references = word == "&" || word == "&&";
             const bool directions = word == "in" || word == "out" || word == "inout";
-            if ((references && !abilities_of(there_).references) || (word == "*" && !abilities_of(there_).pointers) ||
+            if ((references && !traits_of(there_).references) || (word == "*" && !traits_of(there_).pointers) ||
                 (directions && here_ != there_))
                 fail("no head beside it tells how the port says `" + with_name(source.text, source.name) + "`");
         }
@@ -231,7 +231,7 @@ private:
     }
 
     std::string macro() {
-        if (!abilities_of(there_).macros) fail("it is a macro");
+        if (!traits_of(there_).macros) fail("it is a macro");
         const size_t name = lexed_.tokens[source_.unit.name_token].offset;
         return lexed_.text.substr(extent_.code, name - extent_.code) +
                carried({source_.unit.name_token, extent_.tokens.end});

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "porttool/language/abilities.h"
+#include "porttool/language/language.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/prelude.h"
@@ -92,7 +92,7 @@ UnitWords words_of_record(const NormalText& text) {
 }
 
 void add_functions_of_vectors(Language language, CalledForms& forms) {
-    if (!abilities_of(language).vectors) return;
+    if (!traits_of(language).vectors) return;
     for (const std::string_view name : {"length", "dot", "cross", "normalize", "distance"})
         if (forms.function_for(std::string(name)).empty()) forms.add({name, "("});
 }

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "porttool/language/abilities.h"
 #include "porttool/language/words.h"
 
 namespace porttool::testing::language_test {
@@ -22,23 +21,23 @@ TEST(LanguageOfPath, TheLongestSuffixCounts) {
 }
 
 TEST(Abilities, AreThoseOfTheLanguage) {
-    EXPECT_TRUE(abilities_of(Language::Sycl).std_library);
-    EXPECT_FALSE(abilities_of(Language::Metal).std_library) << "Metal has metal_stdlib";
-    EXPECT_TRUE(abilities_of(Language::Metal).references);
-    EXPECT_TRUE(abilities_of(Language::C).c_libraries);
-    EXPECT_FALSE(abilities_of(Language::C).std_library);
-    EXPECT_TRUE(abilities_of(Language::Ispc).pointers);
+    EXPECT_TRUE(traits_of(Language::Sycl).std_library);
+    EXPECT_FALSE(traits_of(Language::Metal).std_library) << "Metal has metal_stdlib";
+    EXPECT_TRUE(traits_of(Language::Metal).references);
+    EXPECT_TRUE(traits_of(Language::C).c_libraries);
+    EXPECT_FALSE(traits_of(Language::C).std_library);
+    EXPECT_TRUE(traits_of(Language::Ispc).pointers);
     for (const Language language : {Language::Glsl, Language::Hlsl, Language::Slang, Language::Osl}) {
-        EXPECT_TRUE(abilities_of(language).macros);
-        EXPECT_EQ(abilities_of(language).vectors, language != Language::Osl);
-        EXPECT_TRUE(abilities_of(language).is_of_devices);
-        EXPECT_FALSE(abilities_of(language).pointers || abilities_of(language).references);
+        EXPECT_TRUE(traits_of(language).macros);
+        EXPECT_EQ(traits_of(language).vectors, language != Language::Osl);
+        EXPECT_TRUE(traits_of(language).is_of_devices);
+        EXPECT_FALSE(traits_of(language).pointers || traits_of(language).references);
     }
     for (const Language language : {Language::C, Language::Cpp, Language::Cuda, Language::Ispc})
-        EXPECT_FALSE(abilities_of(language).is_of_devices) << "has double wherever it runs";
+        EXPECT_FALSE(traits_of(language).is_of_devices) << "has double wherever it runs";
     for (const Language language : {Language::Cpp, Language::Cuda, Language::Hip})
-        EXPECT_FALSE(abilities_of(language).vectors) << "a project's own type may be called float4 there";
-    EXPECT_FALSE(abilities_of(Language::Unknown).macros);
+        EXPECT_FALSE(traits_of(language).vectors) << "a project's own type may be called float4 there";
+    EXPECT_FALSE(traits_of(Language::Unknown).macros);
 }
 
 /// `kernel` begins a kernel in OpenCL and Metal, and is a name like any other in C++.
