@@ -7,6 +7,8 @@
 #include <deque>
 #include <optional>
 #include <set>
+#include <sstream>
+#include <string>
 
 #include "porttool/command/commands.h"
 #include "porttool/command/named.h"
@@ -46,6 +48,16 @@ void store(CheckedProject& checked, Workplace& place, const std::string* map_tex
     place.err << told(lost_texts(checked.project, place.disk, checked.lock));
 }
 
+/// Reads and judges the project. What it warns of is for the end: an error has two lines at most, and nothing before
+/// it.
+CheckedProject judged_project(const Options& options, Workplace& place, std::string& warnings) {
+    std::ostringstream err;
+    Workplace quiet{place.disk, err};
+    CheckedProject checked = check_project(options, quiet);
+    warnings = err.str();
+    return checked;
+}
+
 /// Throws CannotDo for an option of words that has none.
 void require_words(const char* option, const std::string& given, const char* what) {
     if (given.find_first_not_of(" \t\n") == std::string::npos)
@@ -57,7 +69,8 @@ Outcome settle(const Options& options, Workplace& place, Verdict verdict) {
     require_words("--reason", options.reason, "why, for those who read it next year");
     if (verdict == Verdict::Defer) require_words("--owner", options.owner, "who will do it");
     const auto guard = guard_lock(options, place);
-    CheckedProject checked = check_project(options, place);
+    std::string warnings;
+    CheckedProject checked = judged_project(options, place, warnings);
     follow_baseline(checked.lock, checked.judgement);
     LedgerEntry said;
     said.verdict = verdict;
@@ -80,6 +93,7 @@ Outcome settle(const Options& options, Workplace& place, Verdict verdict) {
             out += fmt::format("{} {} = {}\n", done, terminal_text(pair->id.source), terminal_text(pair->id.target));
         }
     }
+    place.err << warnings;
     store(checked, place);
     return {out, 0, false, kLockIsWritten};
 }
@@ -226,7 +240,8 @@ Outcome run_accept(const Options& options, Workplace& place) {
                        terminal_text(options.paths.front()) + (options.paths.size() > 1 ? " and the others" : "") +
                        " alone");
     const auto guard = guard_lock(options, place);
-    CheckedProject checked = check_project(options, place);
+    std::string warnings;
+    CheckedProject checked = judged_project(options, place, warnings);
     follow_baseline(checked.lock, checked.judgement);
     Acceptance acceptance;
     find_accepted(checked, options.paths, acceptance);
@@ -250,6 +265,7 @@ Outcome run_accept(const Options& options, Workplace& place) {
     std::vector<NewPair> fresh;
     for (const JudgedPair& pair : acceptance.fresh) fresh.push_back({pair.id.source, pair.id.target});
     const std::string map = fresh.empty() ? std::string() : add_pairs(checked.project, fresh);
+    place.err << warnings;
     store(checked, place, fresh.empty() ? nullptr : &map);
     std::string out = fmt::format("{} pairs recorded as in step\n", accepted.size());
     if (!fresh.empty()) out += fmt::format("{} of them written into portmap.toml\n", fresh.size());
@@ -267,7 +283,8 @@ Outcome run_accept(const Options& options, Workplace& place) {
 
 Outcome run_reject(const Options& options, Workplace& place) {
     const auto guard = guard_lock(options, place);
-    CheckedProject checked = check_project(options, place);
+    std::string warnings;
+    CheckedProject checked = judged_project(options, place, warnings);
     follow_baseline(checked.lock, checked.judgement);
     const BySide<std::string> id{options.paths.at(0), options.paths.at(1)};
     const auto pair = std::find_if(checked.judgement.pairs.begin(), checked.judgement.pairs.end(),
@@ -276,6 +293,7 @@ Outcome run_reject(const Options& options, Workplace& place) {
         throw CannotDo(terminal_text(id.source + "=" + id.target) + ": no such pair");
     const std::string map = remove_pair(checked.project, {id.source, id.target});
     reject_pair(checked.lock, *pair, checked.project.map);
+    place.err << warnings;
     store(checked, place, &map);
     return {"no longer a pair: " + terminal_text(id.source) + " = " + terminal_text(id.target) + "\n", 0, false,
             kLockIsWritten};

@@ -429,6 +429,17 @@ TEST_F(MergedLock, APairThatIsNotThereIsNotRecorded) {
             EXPECT_EQ(read_text(root / "portmap.lock") == lock, !row.is_there) << row.what;
         }
     }
+    const auto lines_of = [&](const std::string& err) { return std::count(err.begin(), err.end(), '\n'); };
+    git("checkout -qf . && git clean -qfd");
+    std::filesystem::remove_all(root / "portmap.base");
+    write("src/a.cu", other);
+    const CommandRun got = porttool({"accept", id(1)});
+    EXPECT_EQ(got.exit_code, 2);
+    EXPECT_LE(lines_of(got.err), 2) << "what could be warned of beside it is left out: " << got.err;
+    write("src/a.cu", replaced(source, "2.5f", "7.5f"));
+    const CommandRun accepted = porttool({"accept", id(0)});
+    EXPECT_EQ(accepted.exit_code, 0);
+    EXPECT_EQ(accepted.err.find("missing in portmap.base/") == std::string::npos, false) << accepted.err;
 }
 
 TEST_F(MergedLock, AMergeOfMoreThanPairsIsLeftToAPerson) {

@@ -24,6 +24,7 @@
 #include "porttool/effort/port_effort.h"
 #include "porttool/scan/scan.h"
 #include "tests/porttool/work/constructs.h"
+#include "tests/porttool/work/recorded_sides.h"
 #include "tests/porttool/work/work_counter.h"
 
 namespace porttool::testing {
@@ -70,7 +71,7 @@ void run_command(MemoryDisk& disk, std::vector<const char*> arguments) {
     if (run_porttool(static_cast<int>(arguments.size()), arguments.data(), disk, out, err) == 2) std::cerr << err.str();
 }
 
-/// Without git, as what it tells of a commit is no work on the texts.
+/// Without git, as what it tells of a commit is no work on the texts; so is `check --base`.
 void measure_effort(const std::string& before, const std::string& source, const std::string& target) {
     const auto scanned = [](const char* path, const std::string& text) {
         std::vector<ScannedFile> files;
@@ -105,6 +106,10 @@ Costs costs_of(const Construct& construct, size_t repetitions, const std::set<st
     disk.files["/r/s/a.cu"] = all;
     disk.files["/r/t/a.cpp"] = one;
     run("check, both sides", {"check"});
+    if (is_wanted("check --base")) {
+        const RecordedSides sides(old);
+        note(costs, "check --base", [&] { sides.check_against_base(all, one); });
+    }
     run("compare", {"compare", "s/a.cu", "t/a.cpp"});
     if (is_wanted("effort")) note(costs, "effort", [&] { measure_effort(old, all, one); });
     return costs;

@@ -17,77 +17,19 @@
 #include "porttool/command/run.h"
 #include "porttool/effort/port_effort.h"
 #include "porttool/history/blob_facts_source.h"
-#include "porttool/judge/judge.h"
 #include "porttool/match/match.h"
 #include "porttool/measure/measure.h"
-#include "porttool/normal/units_by_id.h"
-#include "porttool/normal/word_macros.h"
 #include "porttool/read/id_patterns.h"
 #include "porttool/read/ignore_rules.h"
 #include "porttool/scan/scan.h"
 #include "tests/porttool/work/constructs.h"
+#include "tests/porttool/work/recorded_sides.h"
 #include "tests/porttool/work/work_counter.h"
 
 namespace porttool::testing {
 namespace {
 
 constexpr size_t kBytes = 700;
-
-using States = UnitsById;
-
-States states_of(const ScannedFile& file) {
-    States out;
-    for (const Unit& unit : file.units) out.add(unit_state(file, unit));
-    if (file.units.empty()) out.add(unit_state(file, whole_file_unit(file)));
-    return out;
-}
-
-/// Both sides of a repository of two files, recorded with one text and judged with others.
-class Repository {
-public:
-    explicit Repository(const std::string& text)
-        : source_(states_of(scan_text("s/a.cu", text))), target_(states_of(scan_text("t/a.cpp", text))) {
-        const std::vector<ScannedFile> left{scan_text("s/a.cu", text)}, right{scan_text("t/a.cpp", text)};
-        WordMacros here(file_macros(left)), there(file_macros(right));
-        for (const auto& [id, unit] : source_) {
-            const std::string other = "t/a.cpp" + id.substr(std::string("s/a.cu").size());
-            if (!target_.contains(other)) continue;  // another language may read a broken text otherwise
-            map_.pairs.push_back({id, {other}, 1});
-            LockedPair pair;
-            pair.source = id;
-            pair.target = other;
-            pair.source_prints = unit.prints;
-            pair.target_prints = target_.at(other).prints;
-            pair.macros = {here.of(unit.file, unit.text), there.of("t/a.cpp", target_.at(other).text)};
-            lock_.pairs.push_back(std::move(pair));
-            texts_[unit.prints.written] = unit.text;
-            texts_[target_.at(other).prints.written] = target_.at(other).text;
-        }
-    }
-
-    /// As `check` goes through it; returns how many findings there are.
-    size_t check(const std::string& source, const std::string& target) const {
-        const std::vector<ScannedFile> left{scan_text("s/a.cu", source)}, right{scan_text("t/a.cpp", target)};
-        const States here = states_of(left[0]), there = states_of(right[0]);
-        const auto text_of = [&](Print print) {
-            const auto found = texts_.find(print);
-            return found == texts_.end() ? NormalText() : found->second;
-        };
-        Case facts{map_, lock_, here, there, skipped_, text_of, "2026-01-01"};
-        facts.files.emplace(BySide<FilesOfSide>{FilesOfSide(left), FilesOfSide(right)});
-        for (const ScannedFile& file : {std::cref(left[0]), std::cref(right[0])})
-            for (const Suppression& comment : file.lexed.suppressions)
-                facts.suppressions.push_back({file.path, comment});
-        return judge(facts).findings.size();
-    }
-
-private:
-    States source_, target_;
-    MapFile map_;
-    LockFile lock_;
-    std::vector<SkippedFile> skipped_;
-    std::map<Print, NormalText> texts_;
-};
 
 Work work_of(const std::function<void()>& run) {
     const Work before = work_so_far();
@@ -150,9 +92,9 @@ TEST(Work, Map) {
 
 Task check_of(EditOf source, EditOf target) {
     return [=](const Construct& construct, size_t repetitions) {
-        const Repository repository(construct.text(repetitions, EditOf::None));
+        const RecordedSides sides(construct.text(repetitions, EditOf::None));
         const std::string left = construct.text(repetitions, source), right = construct.text(repetitions, target);
-        return work_of([&] { repository.check(left, right); });
+        return work_of([&] { sides.check(left, right); });
     };
 }
 
