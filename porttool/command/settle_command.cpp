@@ -38,9 +38,11 @@ const UnitState& lone_unit(const CheckedProject& checked, const Finding& finding
     return unit->second;
 }
 
-/// Writes the lock without what holds for nothing any more, and the map where it was changed. What it could not write
-/// anew of the texts behind it is told.
-void store(CheckedProject& checked, Workplace& place, const std::string* map_text = nullptr) {
+/// Writes the lock without what holds for nothing any more, and the map where it was changed. What the project was
+/// warned of is told, and what could not be written anew of the texts behind the lock.
+void store(CheckedProject& checked, Workplace& place, const std::string& warnings,
+           const std::string* map_text = nullptr) {
+    place.err << warnings;
     drop_idle_lines(checked.lock, checked.project.map, checked.states.source, checked.states.target,
                     checked.project.skipped);
     const bool clears = checked.lock.version == 1;  // its texts have other names
@@ -93,8 +95,7 @@ Outcome settle(const Options& options, Workplace& place, Verdict verdict) {
             out += fmt::format("{} {} = {}\n", done, terminal_text(pair->id.source), terminal_text(pair->id.target));
         }
     }
-    place.err << warnings;
-    store(checked, place);
+    store(checked, place, warnings);
     return {out, 0, false, kLockIsWritten};
 }
 
@@ -265,8 +266,7 @@ Outcome run_accept(const Options& options, Workplace& place) {
     std::vector<NewPair> fresh;
     for (const JudgedPair& pair : acceptance.fresh) fresh.push_back({pair.id.source, pair.id.target});
     const std::string map = fresh.empty() ? std::string() : add_pairs(checked.project, fresh);
-    place.err << warnings;
-    store(checked, place, fresh.empty() ? nullptr : &map);
+    store(checked, place, warnings, fresh.empty() ? nullptr : &map);
     std::string out = fmt::format("{} pairs recorded as in step\n", accepted.size());
     if (!fresh.empty()) out += fmt::format("{} of them written into portmap.toml\n", fresh.size());
     if (noted > 0) out += fmt::format("{} more lines note what macros make of their words\n", noted);
@@ -293,8 +293,7 @@ Outcome run_reject(const Options& options, Workplace& place) {
         throw CannotDo(terminal_text(id.source + "=" + id.target) + ": no such pair");
     const std::string map = remove_pair(checked.project, {id.source, id.target});
     reject_pair(checked.lock, *pair, checked.project.map);
-    place.err << warnings;
-    store(checked, place, &map);
+    store(checked, place, warnings, &map);
     return {"no longer a pair: " + terminal_text(id.source) + " = " + terminal_text(id.target) + "\n", 0, false,
             kLockIsWritten};
 }

@@ -72,6 +72,12 @@ bool reorders_or_retunes_words(const SideEdit& edit) {
     return edit.gained == edit.lost || (edit.size < kLong && any_number(edit.gained) && any_number(edit.lost));
 }
 
+/// How much of all words of a text before its edit, and of the other side's, has its like in the other; 0 to 1.
+double alike_share_of_texts(LaidEdit& laid) {
+    const size_t words = words_in(laid.edit().had) + words_in(laid.other().has);
+    return 1 - std::min(1.0, share_of(laid.before().unlike(), words, 1));
+}
+
 /// How much of a text before its edit has its like in the other side's: of all words of both, of those within a dozen
 /// words of the edit, and of those that went; 0 to 1.
 struct AlikeShares {
@@ -94,8 +100,7 @@ AlikeShares alike_shares(LaidEdit& laid) {
             around_alike += alike;
         }
     }
-    const size_t words = words_in(edit.had) + words_in(laid.other().has);
-    const double of_texts = 1 - std::min(1.0, share_of(beside.unlike(), words, 1));
+    const double of_texts = alike_share_of_texts(laid);
     const double of_place = share_of(around_alike, around, of_texts);
     return {of_texts, of_place, share_of(went_alike, went, of_place)};
 }
@@ -119,18 +124,18 @@ double weight_of_evidence(LaidEdit& laid) {
 
 bool are_mostly_alike(LaidEdit& laid) {
     constexpr double kHalf = 0.5;
-    return !laid.can_be_laid() || alike_shares(laid).of_texts >= kHalf;
+    return !laid.can_be_laid() || alike_share_of_texts(laid) >= kHalf;
 }
 
 bool is_likely_owed(LaidEdit& laid, bool are_namesakes) {
-    constexpr size_t kMeant = 12;  // words of an edit that is no slip
-    constexpr size_t kLeast = 64,
-                     kTellsNo = 16;  // words of a text whose likeness tells much, and of one where it does not
+    constexpr size_t kMeant = 12;   // words of an edit that is no slip
+    constexpr size_t kLeast = 64;   // words of a text whose likeness tells much
+    constexpr size_t kFewest = 16;  // ... and of one where it tells anything
     if (!laid.can_be_laid()) return true;
     const size_t shorter = std::min(words_in(laid.edit().had), words_in(laid.other().has));
     const bool is_work = words_edited(laid.texts().before, laid.texts().now) > kMeant && !touches_what_counts(laid) &&
                          !reorders_or_retunes_words(laid.edit()) && shorter >= kLeast;
-    if (!is_work && (are_namesakes || shorter < kTellsNo)) return true;
+    if (!is_work && (are_namesakes || shorter < kFewest)) return true;
     constexpr double kLikely = -0.5;    // of work of somebody's own
     constexpr double kPossible = -1.0;  // of what may be a slip, and of what is never silent
     return weight_of_evidence(laid) >= (is_work ? kLikely : kPossible);

@@ -50,14 +50,6 @@ bool only_rewords_texts(const Words& before, const Words& now) {
     });
 }
 
-/// One of a few words is never told with another.
-void doubt_edit(const JudgedPair& pair, const LaidEdit& laid, const std::string& why, Finding& finding) {
-    if (is_of_few_words(laid.texts().before, laid.texts().now))
-        weaken(pair, finding, Level::Warning, why);
-    else
-        doubt(pair, finding, why);
-}
-
 }  // namespace
 
 std::set<std::string_view> OneSidedWeight::macros_of_another_build(const UnitState& unit, Side side,
@@ -139,8 +131,8 @@ void OneSidedWeight::weigh(JudgedPair& pair, Side side, const NormalText& before
             return weaken(pair, finding, Level::Note, "it only derives from what is not of the project, or no longer");
         if (only_changes_fields_of_its_own(texts))
             weaken(pair, finding, Level::Note, "the two structs never had most of their fields in common");
-        else if (!is_likely_owed(laid, own_names_.are_one(pair.unit)))
-            doubt_edit(pair, laid, "little of what it touches has its like on the other side", finding);
+        else
+            doubt_unless_owed(pair, laid, "little of what it touches has its like on the other side", finding);
         return;
     }
     if (only_follows_runtime(texts.before, texts.now))
@@ -203,11 +195,23 @@ void OneSidedWeight::weigh(JudgedPair& pair, Side side, const NormalText& before
                         : nearing == Nearing::InPart           ? " has most of it, and says more of what it brings"
                                                                : " has its words, some in other places");
         if (in_order && !is_slip) return weaken(pair, finding, Level::Note, why);
-        if (nearing != Nearing::InPart && !is_likely_owed(laid, own_names_.are_one(pair.unit)))
-            return doubt_edit(pair, laid, why, finding);
-        return weaken(pair, finding, Level::Warning, why);
+        if (nearing == Nearing::InPart || !doubt_unless_owed(pair, laid, why, finding))
+            weaken(pair, finding, Level::Warning, why);
+        return;
     }
     weigh_ground(pair, side, laid, finding);
+}
+
+/// False, and nothing done, for an edit that the other side most likely owes. One of a few words is never told with
+/// another.
+bool OneSidedWeight::doubt_unless_owed(const JudgedPair& pair, LaidEdit& laid, const std::string& why,
+                                       Finding& finding) {
+    if (is_likely_owed(laid, own_names_.are_one(pair.unit))) return false;
+    if (is_of_few_words(laid.texts().before, laid.texts().now))
+        weaken(pair, finding, Level::Warning, why);
+    else
+        doubt(pair, finding, why);
+    return true;
 }
 
 /// What an edit has to do with the other side's text, where nothing else tells. What that has nothing like may be a
@@ -217,8 +221,7 @@ void OneSidedWeight::weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, F
     const std::string there = side == Side::Source ? "the port" : "the source";
     const OffGround off = off_common_ground(laid);
     if (off == OffGround::No) {
-        if (!is_likely_owed(laid, own_names_.are_one(pair.unit)))
-            doubt_edit(pair, laid, "little of what it touches has its like in " + there, finding);
+        doubt_unless_owed(pair, laid, "little of what it touches has its like in " + there, finding);
         return;
     }
     const bool is_upkeep = off >= OffGround::Perhaps && only_tends_runtime(laid.texts().before, laid.texts().now);

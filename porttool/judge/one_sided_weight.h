@@ -23,8 +23,8 @@ namespace porttool {
 class OneSidedWeight {
 public:
     /// All must outlive it; what is asked of the names is kept there.
-    OneSidedWeight(const Case& facts, const Dialect& dialect, SweptNames& swept_names)
-        : facts_(facts), dialect_(dialect), own_names_(facts), swept_names_(swept_names), watched_(facts.map) {}
+    OneSidedWeight(const Case& facts, const Dialect& dialect, OwnNames& own_names, SweptNames& swept_names)
+        : facts_(facts), dialect_(dialect), own_names_(own_names), swept_names_(swept_names), watched_(facts.map) {}
 
     /// The macros for which an edit added texts, where it did nothing else, neither in the unit nor in what the file
     /// declares for it, and only who builds that side asks for them; else none.
@@ -36,11 +36,12 @@ public:
 private:
     void weaken_unread(JudgedPair& pair, Side side, const LoneTexts& texts, Finding& finding, const std::string& why);
     bool call_the_same(const std::vector<RespelledCall>& calls, Side side, const Words& there);
+    bool doubt_unless_owed(const JudgedPair& pair, LaidEdit& laid, const std::string& why, Finding& finding);
     void weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, Finding& finding);
 
     const Case& facts_;
     const Dialect& dialect_;
-    OwnNames own_names_;
+    OwnNames& own_names_;
     SweptNames& swept_names_;
     WatchedUnits watched_;
 };

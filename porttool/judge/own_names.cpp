@@ -23,16 +23,16 @@ std::string_view known_name(const UnitState& unit) {
     return leaf == "main" ? file_stem(unit.file) : leaf;
 }
 
-/// The class, or the namespace, that a unit is in; "" for none.
-std::string_view class_of(const UnitState& unit) {
-    const size_t end = unit.name.rfind("::");
-    return end == std::string_view::npos ? std::string_view() : leaf_of(std::string_view(unit.name).substr(0, end));
-}
-
 /// What stands before the last part of a unit's name: `a::b::` of `a::b::f`.
 std::string_view scope_of_unit(std::string_view name) {
     const size_t last = name.rfind("::");
     return last == std::string_view::npos ? std::string_view() : name.substr(0, last + 2);
+}
+
+/// The class, or the namespace, that a unit is in; "" for none.
+std::string_view class_of(const UnitState& unit) {
+    const std::string_view scope = scope_of_unit(unit.name);
+    return scope.empty() ? scope : leaf_of(scope.substr(0, scope.size() - 2));
 }
 
 /// True if `scope` is some of the scopes of a unit, in order: `b::` of `a::b::c::f`.

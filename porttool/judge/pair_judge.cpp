@@ -71,9 +71,10 @@ PairJudge::PairJudge(const Case& facts, const BySide<RenamedNames>& renamed, Sha
       renamed_(renamed),
       findings_(findings),
       dialect_(dialect_of_edits(facts.map)),
+      own_names_(facts),
       swept_names_(facts),
-      one_sided_(facts, dialect_, swept_names_),
-      two_sided_(facts, dialect_, swept_names_),
+      one_sided_(facts, dialect_, own_names_, swept_names_),
+      two_sided_(facts, dialect_, own_names_, swept_names_),
       shared_files_(shared_files) {
     for (const SkippedFile& file : facts.skipped) unread_.emplace(file.file, file.reason);
 }

@@ -61,6 +61,7 @@ private:
     Dialect dialect_;
     CompareBudget budget_;
     bool found_one_edit_ = false;
+    OwnNames own_names_;
     SweptNames swept_names_;
     OneSidedWeight one_sided_;
     TwoSidedWeight two_sided_;

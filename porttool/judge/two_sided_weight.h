@@ -14,8 +14,8 @@ namespace porttool {
 class TwoSidedWeight {
 public:
     /// All must outlive it; what is asked of the names is kept there.
-    TwoSidedWeight(const Case& facts, const Dialect& dialect, SweptNames& swept_names)
-        : facts_(facts), dialect_(dialect), own_names_(facts), swept_names_(swept_names) {}
+    TwoSidedWeight(const Case& facts, const Dialect& dialect, OwnNames& own_names, SweptNames& swept_names)
+        : facts_(facts), dialect_(dialect), own_names_(own_names), swept_names_(swept_names) {}
 
     /// Edits of both sides of a function that seem to be one are a note. Beside the text, how the files declare what it
     /// uses may have changed.
@@ -28,7 +28,7 @@ private:
 
     const Case& facts_;
     const Dialect& dialect_;
-    OwnNames own_names_;
+    OwnNames& own_names_;
     SweptNames& swept_names_;
 };
 

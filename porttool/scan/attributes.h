@@ -22,4 +22,18 @@ inline bool is_idle_attribute(std::string_view name) {
     return word_is(name, kIdleAttribute) || is_one_of(name, {"format", "format_arg", "alias", "ifunc"});
 }
 
+/// True if each attribute of a list is idle: `(weak, gnu::format(printf, 1, 2))`. `word(i)` is that at a place,
+/// `is_name(i)` whether it is one, `past(i)` the place behind it, or behind the group that it opens.
+template <class Place, class WordAt, class IsName, class Past>
+bool are_idle_attributes(Place first, Place end, const WordAt& word, const IsName& is_name, const Past& past) {
+    if (first < end && is_one_of(word(first), {"(", "["}))
+        return are_idle_attributes<Place>(first + 1, past(first) - 1, word, is_name, past);
+    for (Place i = first; i < end; i = past(i)) {
+        const bool is_scope = i + 1 < end && word(i + 1) == "::";
+        if (is_scope || is_one_of(word(i), {",", "::", "("})) continue;
+        if (!is_name(i) || !is_idle_attribute(word(i))) return false;
+    }
+    return true;
+}
+
 }  // namespace porttool

@@ -120,15 +120,10 @@ private:
             if (name != end) add_attribute(name, at, std::min(after, end));
     }
 
-    /// True if each attribute in a list is idle.
     bool is_idle(size_t first, size_t end) const {
-        if (first < end && (word(first) == "(" || word(first) == "["))
-            return is_idle(first + 1, past_brackets(first) - 1);
-        for (size_t i = first; i < end; i = word(i) == "(" ? past_brackets(i) : i + 1) {
-            if (is_one_of(word(i), {",", "::", "("}) || word(i + 1) == "::") continue;
-            if (!is_name(i) || !is_idle_attribute(word(i))) return false;
-        }
-        return true;
+        return are_idle_attributes(
+            first, end, [&](size_t i) { return word(i); }, [&](size_t i) { return is_name(i); },
+            [&](size_t i) { return word(i) == "(" || word(i) == "[" ? past_brackets(i) : i + 1; });
     }
 
     /// True behind the `=` of a variable, as of `auto square = [](float x) {`.

@@ -80,15 +80,10 @@ private:
         }
     }
 
-    /// True if each attribute in a list is idle.
     bool is_idle(uint32_t first, uint32_t end) const {
-        if (first < end && (word(first) == "(" || word(first) == "[")) return is_idle(first + 1, next(first, end) - 1);
-        for (uint32_t at = first; at < end; at = next(at, end)) {
-            const bool is_scope = at + 1 < end && word(at + 1) == "::";
-            if (word(at) == "," || word(at) == "::" || is_scope || word(at) == "(") continue;
-            if (!is_name(at) || !is_idle_attribute(word(at))) return false;
-        }
-        return true;
+        return are_idle_attributes(
+            first, end, [&](uint32_t at) { return word(at); }, [&](uint32_t at) { return is_name(at); },
+            [&](uint32_t at) { return next(at, end); });
     }
 
     /// `template __global__ void f<float, 4>(float*)`

@@ -94,7 +94,7 @@ TEST(OwedEdit, SlipsAreNeverSilentWhateverThePortSays) {
     }
 }
 
-/// The same of the method `act` of a class `source`, as the port has it under another name.
+/// The same of a source under another name than its port's; `beside` stands in the source's file, too.
 std::string level_of_method(const std::string& source, const std::string& port, const std::string& body,
                             const Edit& edit, const std::string& beside = "") {
     MemoryDisk disk;
