@@ -162,16 +162,14 @@ struct Sheen {
     }
 };
 
-// What sheen returns of the light, and what that is to be scaled by. Lines begin at the smoothest sheen
-// (SMOOTHEST_SHEEN of the kernels): what it returns where light grazes is far from what one a line smoother would.
-// Cosines stand at squares of even steps, since most of it is at the horizon.
+// What sheen returns of the light, and what that is to be scaled by. Lines are even steps of the root of roughness,
+// from the smoothest sheen (SMOOTHEST_SHEEN of the kernels) on; the cosine is GRAZING_SHEEN of the kernels at least.
+// Cosines summed over stand at squares of even steps, since most of it is at the horizon.
 glm::dvec2 sheen_energy(double cosine, double line) {
     constexpr int kPolar = 48, kAround = 32;
-    // Between the table's columns the scale is up to 2.5 % too large, where it curves.
-    constexpr double kMost = 0.99;
-    const double roughness = std::lerp(0.07, 1.0, line);
-    const Sheen sheen{roughness * roughness};
-    const double z = std::max(cosine, 1e-3), x = std::sqrt(1.0 - z * z), lambda_o = sheen.lambda(z);
+    const double root = std::lerp(std::sqrt(0.07), 1.0, line);
+    const Sheen sheen{root * root * root * root};
+    const double z = std::max(cosine, 1e-4), x = std::sqrt(1.0 - z * z), lambda_o = sheen.lambda(z);
     double sum = 0.0;
     for (int i = 0; i < kPolar; ++i) {
         const double u = (i + 0.5) / kPolar, zi = u * u, xi = std::sqrt(1.0 - zi * zi);
@@ -182,8 +180,9 @@ glm::dvec2 sheen_energy(double cosine, double line) {
             sum += visible * std::pow(std::max(1.0 - h.z * h.z, 0.0), 0.5 / sheen.alpha);
         }
     }
-    sum *= (2.0 + 1.0 / sheen.alpha) / (kPolar * kAround);
-    return {std::min(sum, 1.0), kMost / std::max(sum, kMost)};
+    // What interpolation misses, up to eight thousandths of it, shall take light away, not make it.
+    sum *= 1.008 * (2.0 + 1.0 / sheen.alpha) / (kPolar * kAround);
+    return {std::min(sum, 1.0), 1.0 / std::max(sum, 1.0)};
 }
 
 template <class Values>
@@ -240,8 +239,11 @@ uint32_t LobeEnergy::sheen_row() {
     if (rows_.empty()) rows_ = reflection_slice();
     if (sheen_row_ != NONE) return sheen_row_;
     sheen_row_ = static_cast<uint32_t>(rows_.size());
-    static const std::vector<glm::vec4> slice = slice_with(sheen_energy);
-    rows_.insert(rows_.end(), slice.begin(), slice.end());
+    static const std::vector<glm::vec4> all = slice_with(sheen_energy);
+    static const std::vector<glm::vec4> grazing =
+        slice_with([](double cosine, double line) { return sheen_energy(cosine / 16.0, line); });
+    rows_.insert(rows_.end(), all.begin(), all.end());
+    rows_.insert(rows_.end(), grazing.begin(), grazing.end());
     return sheen_row_;
 }
 

@@ -36,9 +36,10 @@ public:
     /// does not refract: the slice of reflection alone, which is all that lets itself be mirrored.
     uint32_t row_of(const CoreMaterial& material);
 
-    /// Row of sheen's slice, made when it is first asked for: of KHR_materials_sheen's lobe at colour 1, in the low
-    /// bits what it returns, in the high ones by what it is scaled to return no more than there is (Charlie's fit
-    /// gives 2.5 times the light at grazing angles and low roughness).
+    /// First row of sheen's two slices, made when they are first asked for: of KHR_materials_sheen's lobe at colour 1,
+    /// in the low bits what it returns, in the high ones by what it is scaled to return no more than there is
+    /// (Charlie's fit gives 2.9 times the light at grazing angles and low roughness). The second is of cosines up to a
+    /// sixteenth.
     uint32_t sheen_row();
 
     /// First row of anisotropic reflection (KHR_materials_anisotropy), made when it is first asked for:

@@ -21,6 +21,9 @@ const float COAT_F0 = 0.04f;
 // A smoother sheen is one of this roughness; its energies stand in the table's first line.
 const float SMOOTHEST_SHEEN = 0.07f;
 
+// Nearer to the horizon than this cosine Charlie's fit would return more and more of the light, without end.
+const float GRAZING_SHEEN = 1.0e-4f;
+
 struct Bsdf {
     vec3 wo;
     vec3 side;           // geometric normal on the side of wo
@@ -192,10 +195,13 @@ Float sheen_shadow(Float cosine, Float roughness) {
     return exp_2(exponent * 1.44269504f);
 }
 
-// What white sheen returns of the light from that direction, and what that is scaled by.
+// What white sheen returns of the light from that direction, and what that is scaled by. Both change most where light
+// grazes: cosines up to a sixteenth have a slice of their own. Lines are even steps of the root of roughness.
 vec2 sheen_energy(Bsdf bsdf, Float cosine) {
-    Float line = (bsdf.sheen_roughness - SMOOTHEST_SHEEN) * 1.07526882f;
-    return lobe_energy(bsdf.sheen_row, cosine, line);
+    Mask grazes = cosine < 0.0625f;
+    Uint row = bsdf.sheen_row + select(grazes, Uint(ENERGY_ROWS), Uint(0u));
+    Float line = (sqrt(bsdf.sheen_roughness) - 0.26457513f) * 1.3597583f;
+    return lobe_energy(row, select(grazes, cosine * 16.0f, cosine), line);
 }
 
 // Sets what concerns sheen, which lies above everything else and takes its share of the light (KHR_materials_sheen,
@@ -507,7 +513,8 @@ BsdfValue evaluate_sheen(Bsdf bsdf, vec3 wi) {
     Float shadows = 1.0f + bsdf.sheen_shadow + sheen_shadow(saturate(wi.z), bsdf.sheen_roughness);
     Mask returns = above && wi.z > 0.0f && bsdf.sheen_strength > 0.0f;
     BsdfValue result;
-    result.value = select(returns, bsdf.sheen_color * (density / (4.0f * bsdf.wo.z * shadows)), vec3(0.0f));
+    result.value =
+        select(returns, bsdf.sheen_color * (density / (4.0f * max(bsdf.wo.z, GRAZING_SHEEN) * shadows)), vec3(0.0f));
     Float upright = select(wi.z > 0.0f, Float(INVERSE_TWO_PI), Float(0.0f));
     Float folded = select(mirrored(wi, bsdf.side).z > 0.0f, Float(INVERSE_TWO_PI), Float(0.0f));
     result.pdf = select(above, bsdf.pick_sheen * (upright + folded), Float(0.0f));

@@ -314,23 +314,28 @@ double sheen_over_white(double cosine, double roughness) {
     return own + below;
 }
 
-// Over black the lobe alone, over white no more light than there is, down to where it grazes.
+// Over black the lobe alone, over white no more light than there is, down to where it grazes: what the table is off by
+// is always to the dark side. Roughnesses and cosines lie in the midst of the table's cells as well as at their ends.
 TEST_P(Furnace, SheenTakesItsShareAndMakesNoLight) {
     const bool is_source = GetParam() == std::string("source");
-    for (float roughness : is_source ? std::vector{0.5f} : std::vector{0.0f, 0.1f, 0.2f, 0.35f, 0.7f, 1.0f}) {
-        for (double cosine : is_source ? std::vector{0.3} : std::vector{0.02, 0.05, 0.1, 0.3, 0.9}) {
+    const std::vector<float> roughnesses =
+        is_source ? std::vector{0.078f} : std::vector{0.0f, 0.078f, 0.1f, 0.2f, 0.35f, 0.7f, 0.97f, 1.0f};
+    const std::vector<double> cosines =
+        is_source ? std::vector{0.07, 0.3} : std::vector{0.003, 0.005, 0.02, 0.05, 0.07, 0.093, 0.3, 0.9};
+    for (float roughness : roughnesses) {
+        for (double cosine : cosines) {
             HostMaterial cloth = lambert(1.0f);
             cloth.core.sheen_color = glm::vec3(1.0f);
             cloth.core.sheen_roughness = roughness;
             const Reading over_white = plane_in_furnace(GetParam(), cloth, cosine);
             const double truth = sheen_over_white(cosine, static_cast<double>(roughness));
-            // What stands in the table is off by a hundredth, where light grazes.
-            EXPECT_LE(over_white.mean, 1.01 + 4.0 * over_white.error) << roughness << ", " << cosine;
-            EXPECT_NEAR(over_white.mean, truth, 4.0 * over_white.error + 0.018) << roughness << ", " << cosine;
+            EXPECT_LE(over_white.mean, 1.0 + 4.0 * over_white.error) << roughness << ", " << cosine;
+            EXPECT_NEAR(over_white.mean, truth, 4.0 * over_white.error + 0.016) << roughness << ", " << cosine;
             cloth.core.base_color = glm::vec3(0.0f);
             const Reading alone = plane_in_furnace(GetParam(), cloth, cosine);
             // Where the fit gives more light than there is, what holds it down is tabulated.
-            EXPECT_NEAR(alone.mean, std::min(sheen_albedo(cosine, roughness), 1.0), 4.0 * alone.error + 0.035)
+            EXPECT_LE(alone.mean, 1.0 + 4.0 * alone.error) << roughness << ", " << cosine;
+            EXPECT_NEAR(alone.mean, std::min(sheen_albedo(cosine, roughness), 1.0), 4.0 * alone.error + 0.016)
                 << roughness << ", " << cosine;
         }
     }
