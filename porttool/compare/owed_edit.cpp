@@ -127,7 +127,7 @@ bool are_mostly_alike(LaidEdit& laid) {
     return !laid.can_be_laid() || alike_share_of_texts(laid) >= kHalf;
 }
 
-bool is_likely_owed(LaidEdit& laid, bool are_namesakes) {
+bool is_likely_owed(LaidEdit& laid, const OwedBy& by) {
     constexpr size_t kMeant = 12;   // words of an edit that is no slip
     constexpr size_t kLeast = 64;   // words of a text whose likeness tells much
     constexpr size_t kFewest = 16;  // ... and of one where it tells anything
@@ -135,10 +135,14 @@ bool is_likely_owed(LaidEdit& laid, bool are_namesakes) {
     const size_t shorter = std::min(words_in(laid.edit().had), words_in(laid.other().has));
     const bool is_work = words_edited(laid.texts().before, laid.texts().now) > kMeant && !touches_what_counts(laid) &&
                          !reorders_or_retunes_words(laid.edit()) && shorter >= kLeast;
-    if (!is_work && (are_namesakes || shorter < kFewest)) return true;
+    if (!is_work && shorter < kFewest) return true;
+    constexpr double kEven = 0;         // of ports in words of their own
     constexpr double kLikely = -0.5;    // of work of somebody's own
     constexpr double kPossible = -1.0;  // of what may be a slip, and of what is never silent
-    return weight_of_evidence(laid) >= (is_work ? kLikely : kPossible);
+    const double weight = weight_of_evidence(laid);
+    if (weight >= kEven) return true;
+    if (by.is_of_own_words()) return false;
+    return (!is_work && by.are_namesakes()) || weight >= (is_work ? kLikely : kPossible);
 }
 
 }  // namespace porttool

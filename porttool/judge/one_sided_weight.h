@@ -10,6 +10,7 @@
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/judge.h"
 #include "porttool/judge/own_names.h"
+#include "porttool/judge/port_manner.h"
 #include "porttool/judge/swept_names.h"
 #include "porttool/judge/watched_units.h"
 
@@ -24,7 +25,7 @@ class OneSidedWeight {
 public:
     /// All must outlive it; what is asked of the names is kept there.
     OneSidedWeight(const Case& facts, const Dialect& dialect, OwnNames& own_names, SweptNames& swept_names)
-        : facts_(facts), dialect_(dialect), own_names_(own_names), swept_names_(swept_names), watched_(facts.map) {}
+        : facts_(facts), dialect_(dialect), own_names_(own_names), swept_names_(swept_names), watched_(facts.map), manner_(facts, dialect, own_names) {}
 
     /// The macros for which an edit added texts, where it did nothing else, neither in the unit nor in what the file
     /// declares for it, and only who builds that side asks for them; else none.
@@ -44,6 +45,7 @@ private:
     OwnNames& own_names_;
     SweptNames& swept_names_;
     WatchedUnits watched_;
+    PortManner manner_;
 };
 
 }  // namespace porttool

@@ -129,26 +129,30 @@ bool TwoSidedWeight::has_doubtful_switch(const PairTexts& texts, const JudgedPai
 
 /// What nothing settled: a port that did the source's edit and more has changed alone in that. Edits of which more than
 /// half is not the other's cannot be held against each other, nor those of texts that say little alike, but for units
-/// of one name.
+/// of one name; and where both say several statements that the other does not, they are not one wrong word or line.
 ///
 ///                 source                                   port
 ///     error       k = a * 2;  ->  k = a * 3;               k = a * 2;  ->  k = a * 4;
 ///     warning     load(a); f(a);  ->  prefetch(a); g(a);   read(b); go(b);  ->  Task t = plan(b); t.run(); log(t);
 void TwoSidedWeight::weigh_what_is_left(const JudgedPair& pair, const PairComparison& found, const PairTexts& texts,
                                         Finding& finding) {
-    constexpr size_t kMore = 3;   // statements that are no slip of the port's
-    constexpr size_t kLeast = 5;  // statements of both sides that are no two edits of one line
+    constexpr size_t kMore = 3;     // statements that are no slip of the port's
+    constexpr size_t kLeast = 5;    // statements of both sides that no wrong word or line leaves
+    constexpr size_t kSeveral = 2;  // statements of each side that the other lacks
     const auto is_most = [&](Side side) {
         return 2 * found.left[side] >= found.edits[side].lost.size() + found.edits[side].gained.size();
     };
     const LoneTexts of_source{texts.source_before, texts.source_now, texts.target_before};
     LaidEdit laid(of_source, dialect_);
+    const bool is_no_slip = words_edited(texts.source_before, texts.source_now) >= kNoSlip &&
+                            words_edited(texts.target_before, texts.target_now) >= kNoSlip;
+    const size_t left = found.left.source + found.left.target;
     if (found.left.source == 0 && found.left.target >= kMore)
         weaken(pair, finding, Level::Warning, "the port did what the source did, and more");
-    else if (found.left.source + found.left.target >= kLeast && is_most(Side::Source) && is_most(Side::Target) &&
-             words_edited(texts.source_before, texts.source_now) >= kNoSlip &&
-             words_edited(texts.target_before, texts.target_now) >= kNoSlip)
+    else if (left >= kLeast && is_most(Side::Source) && is_most(Side::Target) && is_no_slip)
         doubt(pair, finding, "hardly anything of one edit has its like in the other");
+    else if (left >= kLeast && std::min(found.left.source, found.left.target) >= kSeveral && is_no_slip)
+        weaken(pair, finding, Level::Warning, "both did more of their own than a slip leaves");
     else if (!own_names_.are_one(pair.unit) && !are_mostly_alike(laid))
         weaken(pair, finding, Level::Warning, "the two texts say too little alike to tell whether the edits are one");
 }

@@ -145,6 +145,29 @@ TEST(OwedEdit, WhetherEditsOfTextsThatSayLittleAlikeAreOneIsHardToTell) {
     EXPECT_EQ(level("scale_rows", "RunPlan", kTwin, third), "error");
 }
 
+TEST(OwedEdit, EditsOfBothThatLeaveMoreThanASlipDoes) {
+    const auto level = [](const std::string& here, const std::string& there) {
+        MemoryDisk disk;
+        disk.files = {{"/r/s/k.cpp", kSource}, {"/r/t/k.cpp", kTwin}};
+        disk.files["/r/portmap.toml"] =
+            "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n"
+            "[[pair]]\nsource = \"s/k.cpp:f\"\ntarget = \"t/k.cpp:f\"\n";
+        EXPECT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0);
+        disk.files["/r/s/k.cpp"] = replaced(kSource, "  y.flush(rows);\n", here);
+        disk.files["/r/t/k.cpp"] = replaced(kTwin, "  y.flush(rows);\n", there);
+        const auto report = check(disk);
+        EXPECT_EQ(report["findings"][0]["rule"], "port-differs");
+        return report["findings"][0]["level"].get<std::string>();
+    };
+    const std::string all = "  y.trim(sum);\n  w.scale(lim);\n  y.mark(step);\n  w.bind(n);\n  y.flush(rows);\n";
+    EXPECT_EQ(level(all, replaced(all, "w.scale(lim)", "w.scale(sum)")), "error") << "a word";
+    EXPECT_EQ(level(all, replaced(all, "  w.scale(lim);\n", "")), "error") << "a statement";
+    EXPECT_EQ(level(all, replaced(replaced(all, "mark(step)", "mark(n)"), "scale(lim)", "scale(sum)")), "error");
+    EXPECT_EQ(level(all, "  y.flush(rows);\n  y.close();\n"), "error") << "next to nothing";
+    EXPECT_EQ(level(all, "  y.seal(lim);\n  if (sum > lim) { y.drop(n); }\n  w.bind(n);\n  y.flush(rows);\n"),
+              "warning");
+}
+
 TEST(OwedEdit, LongEditsOfWhatThePortDoesInItsOwnWay) {
     const std::vector<Edit> edits = {
         {"what stands around has no like", "y.flush(rows);",
@@ -305,6 +328,38 @@ TEST(OwedEdit, NumbersAndOrderAreMeantForBoth) {
          "const int step = x.rows() / 4;\n  const int rows = step;"},
     };
     for (const Edit& edit : edits) EXPECT_EQ(level_of(kStranger, edit), "error") << edit.what;
+}
+
+/// The level of an edit of `f`, whose port is a stranger, beside `many` pairs of one name that are twins or strangers.
+std::string level_beside(size_t many, const std::string& others, const Edit& edit) {
+    MemoryDisk disk;
+    disk.files = {{"/r/s/k.cpp", kSource}, {"/r/t/k.cpp", kStranger}};
+    std::string map = "version = 1\n[sides]\nsource = [\"s/*\"]\ntarget = [\"t/*\"]\n";
+    const auto pair = [&](const std::string& file, const std::string& name) {
+        map += "[[pair]]\nsource = \"s/" + file + ":" + name + "\"\ntarget = \"t/" + file + ":" + name + "\"\n";
+    };
+    pair("k.cpp", "f");
+    for (size_t i = 0; i < many; ++i) {
+        const std::string name = "g" + std::to_string(i);
+        disk.files["/r/s/more.cpp"] += replaced(kSource, " f(", " " + name + "(");
+        disk.files["/r/t/more.cpp"] += replaced(others, " f(", " " + name + "(");
+        pair("more.cpp", name);
+    }
+    disk.files["/r/portmap.toml"] = map;
+    EXPECT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0);
+    disk.files["/r/s/k.cpp"] = replaced(kSource, edit.from, edit.to);
+    const auto report = check(disk);
+    EXPECT_EQ(report["findings"].size(), 1) << edit.what;
+    return report["findings"][0]["level"];
+}
+
+TEST(OwedEdit, ANameTellsLittleWherePortsHaveWordsOfTheirOwn) {
+    for (const Edit& edit : kSlips) {
+        if (edit.to.empty()) continue;
+        EXPECT_EQ(level_beside(8, kStranger, edit), "warning") << edit.what;
+        EXPECT_EQ(level_beside(4, kStranger, edit), "error") << edit.what << ": too few to tell";
+        EXPECT_EQ(level_beside(16, kTwin, edit), "error") << edit.what;
+    }
 }
 
 TEST(OwedEdit, LongEditsOfThePortAlone) {
