@@ -72,12 +72,14 @@ std::vector<std::string> words_of_name(std::string_view name) {
 /// How sure a name says that something is told to people.
 enum class Speaks : uint8_t { No, Perhaps, Surely };
 
-/// `print`, and names that end in `assert`, tell; `log` and `warn` may be a part of something else (`log_softmax`), and
-/// what is asserted may be made so (`assert_finite_or_zero`). A short name with `log` in it is a logarithm.
+/// `print`, names that end in `assert`, and macros that do (`LIB_CASSERT`), tell; `log` and `warn` may be a part of
+/// something else (`log_softmax`), and what is asserted may be made so (`assert_finite_or_zero`). A short name with
+/// `log` in it is a logarithm.
 Speaks speaks_by_name(std::string_view name) {
     constexpr size_t kLongestLogarithm = 5;
     Speaks out = Speaks::No;
     const std::vector<std::string> words = words_of_name(name);
+    const bool is_macro = std::none_of(name.begin(), name.end(), [](char c) { return c >= 'a' && c <= 'z'; });
     for (std::string_view word : words) {
         if (name.size() > kLongestLogarithm || word.find("log") == std::string_view::npos)
             if (std::find(kWholeSayings.begin(), kWholeSayings.end(), word) != kWholeSayings.end())
@@ -85,6 +87,7 @@ Speaks speaks_by_name(std::string_view name) {
         const bool is_last = word == words.back();
         word.remove_prefix(std::min(word.find_first_not_of("vf"), word.size()));  // vfprintf
         if (word.starts_with("print") || (is_last && word.starts_with("assert"))) return Speaks::Surely;
+        if (is_last && is_macro && word.ends_with("assert")) return Speaks::Surely;
         if (std::any_of(kSayings.begin(), kSayings.end(),
                         [&](std::string_view saying) { return word.starts_with(saying); }))
             out = std::max(out, Speaks::Perhaps);

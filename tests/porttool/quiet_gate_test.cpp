@@ -1793,6 +1793,8 @@ TEST(QuietGate, WhatSoundsLikeAnAsideAndReckons) {
     EXPECT_EQ(with("\n#ifdef VERBOSE\n  print_row(s, n, best, 0.5f); show(n, best);\n#endif\n"), Loud{});
     EXPECT_EQ(with("assert_all_of(n, k * 4, best);"), Loud{});
     EXPECT_EQ(with("K_ASSERT(s, n > 3, best);"), Loud{});
+    EXPECT_EQ(with("LIB_CASSERT(n > 3 && best < k, \"too few\");"), Loud{});
+    EXPECT_EQ(with("reassert(s, n, best, 1.0f);"), told);
     EXPECT_EQ(with("LOG(INFO) << \"best of \" << n << best;"), Loud{});
     EXPECT_EQ(with("log_best(best, n, k, 4);"), Loud{});
     EXPECT_EQ(with("debug_print_row(\"row\", s, n, best);"), Loud{});
