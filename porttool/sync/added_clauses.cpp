@@ -540,7 +540,7 @@ private:
                     const size_t here = same ? now(c).first + (i - there.first) : CarriedWord::kNoSource;
                     const std::string& word = texts_.target.words[i];
                     const bool is_same_number = same && is_number_token(word) && word == texts_.now.words[here];
-                    one.words.push_back({is_same_number ? written_(here) : written_number(word), here});
+                    one.words.push_back({is_same_number ? written_(here) : translator_.written_there(word), here});
                 }
             } else {
                 one.words = carry_new(now(c).first, now(c).end).words;

@@ -321,6 +321,56 @@ void CallCarrier::tell_misfits(const JudgedPair& pair, Side from, Proposal& prop
     }
 }
 
+bool CallCarrier::gives_nothing(const UnitState& function, Side side, bool by_now) {
+    const ScannedFile* file = knowledge_.file_of(side, function.file);
+    if (file == nullptr || function.kind != UnitKind::Function) return false;
+    const Draft* draft = by_now ? drafts_.find(side, function.file) : nullptr;
+    const ScannedFile& now = draft == nullptr ? *file : draft->scanned;
+    const Unit* unit = unit_named(now, function.id);
+    if (unit == nullptr) return false;
+    for (uint32_t i = unit->tokens.first; i < unit->name_token; ++i)
+        if (now.lexed.view(i) == "void") return now.lexed.view(i + 1) != "*";
+    return false;
+}
+
+std::map<const UnitState*, size_t> CallCarrier::values_taken(const ScannedFile& file, const Unit& unit, Side side) {
+    std::map<const UnitState*, size_t> out;
+    for (const CallSite& site : calls_within(file, unit)) {
+        if (!takes_value(file.lexed.view(site.name - 1))) continue;
+        const UnitState* function = only_one(side, file.path, std::string(file.lexed.view(site.name)));
+        if (function != nullptr && gives_nothing(*function, side, false)) ++out[function];
+    }
+    return out;
+}
+
+/// A whole port stays as it is, beside what has to come first; a part of one does without the value.
+void CallCarrier::tell_values_of_nothing(const JudgedPair& pair, Side from, const Places& places,
+                                         std::vector<Proposal>& proposals) {
+    const Side to = other_side(from);
+    Proposal& proposal = proposals[places.at(static_cast<size_t>(&pair - checked_.judgement.pairs.data()))];
+    const ScannedFile* file = knowledge_.file_of(to, pair.unit[to]->file);
+    const Draft* draft = drafts_.find(to, pair.unit[to]->file);
+    if (file == nullptr || draft == nullptr) return;
+    const Unit *unit = unit_named(draft->scanned, pair.unit[to]->id), *before = unit_named(*file, pair.unit[to]->id);
+    if (unit == nullptr || before == nullptr) return;
+    const auto is_left = [&](const UnitState& function) {
+        const auto own = paired_[to].find(function.id);
+        return own != paired_[to].end() && std::any_of(own->second.begin(), own->second.end(), [&](size_t one) {
+                   const auto found = places.find(one);
+                   return found != places.end() && !proposals[found->second].left.empty();
+               });
+    };
+    std::map<const UnitState*, size_t> known = values_taken(*file, *before, to);
+    for (const auto& [function, times] : values_taken(draft->scanned, *unit, to)) {
+        if (times <= known[function]) continue;
+        const std::string name = function_name(function->name);
+        const bool gives_none = gives_nothing(*function, to, true);
+        if (gives_none && proposal.state == ProposalState::Partial) valueless_.insert({pair.unit[to]->id, name});
+        if (gives_none || is_left(*function))
+            proposal.why.push_back("it takes a value of `" + name + "`, which has to give one first");
+    }
+}
+
 void CallCarrier::tell(const std::vector<size_t>& pairs, std::vector<Proposal>& proposals) {
     Places places;
     for (size_t i = 0; i < pairs.size(); ++i) places[pairs[i]] = i;
@@ -336,8 +386,11 @@ void CallCarrier::tell(const std::vector<size_t>& pairs, std::vector<Proposal>& 
     for (size_t i = 0; i < pairs.size(); ++i) {
         const JudgedPair& pair = checked_.judgement.pairs[pairs[i]];
         const auto from = from_.find(&pair);
-        if (from != from_.end() && proposals[i].state == ProposalState::Proposed)
-            tell_misfits(pair, from->second, proposals[i]);
+        if (from == from_.end()) continue;
+        if (proposals[i].state == ProposalState::Proposed) tell_misfits(pair, from->second, proposals[i]);
+        const bool writes =
+            proposals[i].state == ProposalState::Proposed || proposals[i].state == ProposalState::Partial;
+        if (writes) tell_values_of_nothing(pair, from->second, places, proposals);
     }
 }
 

@@ -30,6 +30,8 @@ public:
     /// When all is carried: calls that give as many arguments as a function took before are left, and new ones of a
     /// function whose own port is left. `pairs`: of the proposals, by their places in the judgement.
     void tell(const std::vector<size_t>& pairs, std::vector<Proposal>& proposals);
+    /// Functions that give nothing back, and of which a part of a port takes a value.
+    const Valueless& valueless() const { return valueless_; }
 
 private:
     /// A function that takes another number of arguments now, on the side that is written.
@@ -57,6 +59,12 @@ private:
     bool is_out_of_step(Side side, const std::string& id) const;
     bool takes(const UnitState& function, Side side, size_t count);
     void tell_misfits(const JudgedPair& pair, Side from, Proposal& proposal);
+    /// Whether a function gives nothing back, as its file stands or (`by_now`) as the patches so far have left it.
+    bool gives_nothing(const UnitState& function, Side side, bool by_now);
+    /// How often a unit takes the value of each function that gave none.
+    std::map<const UnitState*, size_t> values_taken(const ScannedFile& file, const Unit& unit, Side side);
+    void tell_values_of_nothing(const JudgedPair& pair, Side from, const Places& places,
+                                std::vector<Proposal>& proposals);
     void tell_early_calls(const Changed& one, const Places& places, std::vector<Proposal>& proposals);
     bool is_paired(Side side, const std::string& id) const { return paired_[side].contains(id); }
 
@@ -70,6 +78,7 @@ private:
     std::map<const JudgedPair*, Side> from_;  ///< the side that a pair is carried from
     std::vector<Changed> changed_;            ///< by proposals
     std::vector<Changed> wanted_;             ///< by edits of the source
+    Valueless valueless_;
 };
 
 }  // namespace porttool

@@ -111,6 +111,10 @@ std::vector<CallSite> calls_within(const ScannedFile& file, const Unit& unit) {
     return out;
 }
 
+bool takes_value(std::string_view before) {
+    return is_one_of(before, {"=", "+=", "-=", "*=", "/=", "+", "-", "/", "==", "!=", "<", "<=", ">="});
+}
+
 std::vector<TokenRange> parameters_of_head(const ScannedFile& file, const Unit& unit) {
     const LexedText& lexed = file.lexed;
     std::vector<TokenRange> out;

@@ -23,6 +23,9 @@ std::vector<CallSite> call_sites(const ScannedFile& file, std::string_view funct
 /// What a unit calls by a name alone, in the order of its words: no methods of objects.
 std::vector<CallSite> calls_within(const ScannedFile& file, const Unit& unit);
 
+/// True for what stands before a call whose value is taken: an assignment, an operator.
+bool takes_value(std::string_view before);
+
 /// What stands between the parentheses of a function's head, parameter by parameter; a lone `void` is none.
 std::vector<TokenRange> parameters_of_head(const ScannedFile& file, const Unit& unit);
 

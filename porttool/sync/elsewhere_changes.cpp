@@ -41,7 +41,7 @@ bool ElsewhereChanger::change_result(size_t was, size_t is) {
     const bool bare = is_operand(texts_.target.words, port.first, port.end);
     if (!bare) front.words.push_back({"(", CarriedWord::kNoSource});
     for (size_t i = port.first; i < port.end; ++i)
-        front.words.push_back({written_number(texts_.target.words[i]), CarriedWord::kNoSource});
+        front.words.push_back({translator_.written_there(texts_.target.words[i]), CarriedWord::kNoSource});
     if (!bare) front.words.push_back({")", CarriedWord::kNoSource});
     front.words.insert(front.words.end(), back.words.begin(), back.words.end());
     out_.replaced.push_back({port.first, port.end, std::move(front.words), made.first, made.end});

@@ -125,7 +125,7 @@ std::string InsertedUses::doubt_of(const Saying& saying, const Insertion& in) co
             is_known_here &= is_new(i);
         }
     for (size_t i = saying.said_first; i < saying.said_end; ++i) {
-        if (!is_plain_name(in, i)) continue;
+        if (!is_plain_name(in, i) || declares_itself(in, i)) continue;
         const size_t local = there_.local_at(in.target_word, in.words[i].text);
         if (local == 0) {
             if (is_known_here && !here.empty()) continue;
@@ -144,6 +144,14 @@ std::string InsertedUses::doubt_of(const Saying& saying, const Insertion& in) co
     for (size_t i = saying.said_first; i < saying.said_end; ++i) said.push_back(in.words[i].text);
     return "nothing tells that `" + shown(said, 0, said.size()) + "` is `" +
            shown(texts_.now.words, saying.first, saying.end) + "` there";
+}
+
+bool InsertedUses::declares_itself(const Insertion& in, size_t i) const {
+    const size_t from = in.words[i].from;
+    if (from == CarriedWord::kNoSource || now_.local(from) == 0 || !is_new(from)) return false;
+    const size_t declared = now_.declaration(now_.local(from));
+    return std::any_of(in.words.begin(), in.words.end(),
+                       [&](const CarriedWord& word) { return word.from == declared && word.text == in.words[i].text; });
 }
 
 bool InsertedUses::is_plain_name(const Insertion& in, size_t i) const {

@@ -61,6 +61,8 @@ private:
     static bool may_write(const LocalWrites& writes, const AlignedText& text, size_t word);
     std::string doubt(const Insertion& in, size_t source_end) const;
     std::string doubt_of(const Saying& saying, const Insertion& in) const;
+    /// True for a name that the carried words declare themselves, whatever the port has under that name.
+    bool declares_itself(const Insertion& in, size_t i) const;
     bool is_plain_name(const Insertion& in, size_t i) const;
     std::string unknown_name(const Insertion& in, size_t i, bool is_local_here) const;
     bool writes_constant(const Insertion& in, size_t i, size_t local) const;

@@ -20,6 +20,7 @@
 #include "porttool/sync/head_manner.h"
 #include "porttool/sync/known_words.h"
 #include "porttool/sync/local_writes.h"
+#include "porttool/sync/proposal.h"
 #include "porttool/sync/translator.h"
 
 namespace porttool {
@@ -69,6 +70,15 @@ public:
     };
     void set_fresh(const std::vector<FreshIds>& pairs);
 
+    /// What parts of ports do without.
+    const Valueless& valueless() const { return valueless_; }
+    /// True if any of these are new.
+    bool add_valueless(const Valueless& functions) {
+        const size_t known = valueless_.size();
+        valueless_.insert(functions.begin(), functions.end());
+        return valueless_.size() > known;
+    }
+
 private:
     bool is_handed_back(Side side, const std::string& function, size_t argument);
     void learn_heads(Side from, const ScannedFile* file, const ScannedFile* other, HeadManners& out) const;
@@ -101,6 +111,7 @@ private:
     BySide<std::optional<HeadManners>> heads_;
     BySide<std::map<std::string_view, const ScannedFile*>> by_path_;
     std::map<const ScannedFile*, UnitPlaces> units_;
+    Valueless valueless_;
 };
 
 }  // namespace porttool

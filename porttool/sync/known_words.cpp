@@ -519,7 +519,9 @@ bool KnownWords::anywhere(std::string_view word) const {
     if (here == there || is_shader_function(word, there)) return true;
     // What CUDA has besides its run time HIP has under the same name.
     const auto is_cuda_like = [](Language language) { return language == Language::Cuda || language == Language::Hip; };
-    if (is_cuda_like(here) && is_cuda_like(there)) return true;
+    const bool from_cuda_like =
+        is_cuda_like(here) || is_in_source_file("__device__") || is_in_source_file("__global__");
+    if (from_cuda_like && (is_cuda_like(there) || in_file("__device__") || in_file("__global__"))) return true;
     if (are_both_cpp() && is_built_in_type(word)) return true;
     // C++ has them in `std` alone, where CUDA and HIP have them without it.
     const bool only_in_std = word == "min" || word == "max" || word == "swap";

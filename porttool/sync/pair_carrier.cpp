@@ -12,6 +12,7 @@
 #include "porttool/normal/unit_state.h"
 #include "porttool/scan/scan.h"
 #include "porttool/sync/block_ends.h"
+#include "porttool/sync/call_sites.h"
 #include "porttool/sync/device_wait.h"
 #include "porttool/sync/file_text.h"
 #include "porttool/sync/local_manner.h"
@@ -148,6 +149,20 @@ bool has_stray_directive(const ScannedFile& file, const Unit& unit) {
     return false;
 }
 
+/// How a text writes its numbers, by their normal form: as it does most often.
+std::map<std::string, std::string> written_numbers(const ScannedFile& file, const UnitWords& text) {
+    std::map<std::string, std::map<std::string, size_t>> times;
+    for (size_t i = 0; i < text.words.size(); ++i)
+        if (is_number_token(text.words[i]) && !text.is_added(i))
+            ++times[text.words[i]][std::string(file.lexed.view(text.tokens[i]))];
+    std::map<std::string, std::string> out;
+    for (const auto& [number, written] : times)
+        out[number] = std::max_element(written.begin(), written.end(), [](const auto& a, const auto& b) {
+                          return a.second < b.second;
+                      })->first;
+    return out;
+}
+
 void leave_at_heads(const PairEdit& edit, std::string why, Proposal& out) {
     out.left.push_back({std::move(why), first_line(edit.pair, Side::Source), first_line(edit.pair, Side::Target)});
 }
@@ -278,6 +293,10 @@ PairCarrier::KnownNames PairCarrier::names_of(const PairEdit& edit, const Texts&
             (has_word(texts.there.words, name) ? out.lone : out.brought).insert(name);
         else if (!has_word(texts.there.words, name) && is_declared_anew(texts, name))
             out.brought.insert(name);
+    for (const Directive& one : texts.draft.scanned.lexed.directives)  // which would say something else there
+        if (one.kind == DirectiveKind::Define && one.first_token + 2 < one.end_token)
+            if (const std::string name(texts.draft.scanned.lexed.view(one.first_token + 2)); out.locals.contains(name))
+                out.lone.insert(name);
     for (const std::string& name : declared_twice(texts.was.words))
         if (texts.examples.is_said_variously(name)) out.lone.insert(name);
     return out;
@@ -295,6 +314,7 @@ Transplant PairCarrier::transplanted(const PairEdit& edit, const Texts& texts, K
                             is_method && leaf_of(class_of(port)) == leaf_of(class_of(texts.unit)),
                             device_wait(texts.there.words, texts.other), known.scope_of_builtins(texts.there.words)};
     around.pointers = declared_pointers(texts.there.words);
+    around.numbers = written_numbers(texts.draft.scanned, texts.there);
     read_earlier_file(edit, texts, around);
     const auto written = [&](size_t i) {
         return is.words[i] == "@" || is.is_added(i) ? is.words[i] : std::string(file.lexed.view(is.tokens[i]));
@@ -380,9 +400,51 @@ bool PairCarrier::write(const PairEdit& edit, const Texts& texts, const KnownNam
     }
     if (raised.any) return false;
     declare_constants(texts.new_text, texts.is, constants_of(texts.file, texts.unit, texts.other), found);
+    if (leave_values_of_nothing(edit, texts, found, out) && found.empty()) return true;
     if (has_other_braces(found, texts.is, texts.new_text, texts.there, texts.port_text))
         found.braces = edit_of_braces(edit, texts);
     finish(edit, texts, found, out);
+    return true;
+}
+
+/// Takes back what would take a value of functions that give none in the port, and what came with that; true if any.
+bool PairCarrier::leave_values_of_nothing(const PairEdit& edit, const Texts& texts, Transplant& found,
+                                          Proposal& out) const {
+    const std::vector<std::string>& is = texts.new_text.words;
+    const auto asks = [&](size_t first, size_t end) -> std::string {
+        for (const Clause& clause : texts.new_text.clauses)
+            for (size_t i = std::max(clause.first, size_t{1});
+                 clause.first < end && first < clause.end && i < clause.end; ++i)
+                if (takes_value(is[i - 1]) && knowledge_.valueless().contains({edit.pair.unit[edit.to()]->id, is[i]}))
+                    return is[i];
+        return {};
+    };
+    if (knowledge_.valueless().empty()) return false;
+    std::set<std::string> names;
+    const auto takes_back = [&](const std::vector<CarriedWord>& words, size_t first, size_t end, size_t there) {
+        const std::string name = asks(first, end);
+        if (name.empty()) return false;
+        for (const CarriedWord& word : words)
+            if (is_word_token(word.text) && !has_word(texts.there.words, word.text)) names.insert(word.text);
+        out.left.push_back(
+            left_at(edit.from, "the source takes the value of `" + name + "`; the port's gives none",
+                    line_at(texts.file, texts.is, first),
+                    line_at(texts.draft.scanned, texts.there, std::min(there, texts.there.words.size() - 1))));
+        return true;
+    };
+    const size_t size = found.size();
+    std::erase_if(found.replaced, [&](const WordsReplaced& one) {
+        return takes_back(one.words, one.source_first, std::max(one.source_end, one.source_first + 1), one.first);
+    });
+    std::erase_if(found.added, [&](const ClausesAdded& one) {
+        return std::any_of(one.clauses.begin(), one.clauses.end(), [&](const ClauseAdded& clause) {
+            const Clause& made = texts.new_text.clauses[clause.source];
+            return takes_back(clause.words, made.first, made.end, one.before);
+        });
+    });
+    if (found.size() == size) return false;
+    Transplant less = found;
+    if (!names.empty() && withdraw(std::move(names), texts.new_text, texts.port_text, less)) found = std::move(less);
     return true;
 }
 
@@ -473,9 +535,10 @@ void PairCarrier::finish(const PairEdit& edit, const Texts& texts, Transplant& f
     }
     if (std::string why = gives_back_as_before(old_words, new_words); !why.empty()) {
         const auto given = std::find(old_words.begin(), old_words.end(), "return");
-        out.left.push_back(
-            left_at(edit.from, std::move(why), places.first_edit(found).first,
-                    line_at(draft.scanned, texts.there, static_cast<size_t>(given - old_words.begin()))));
+        out.left.push_back(left_at(
+            edit.from, std::move(why), places.first_edit(found).first,
+            line_at(draft.scanned, texts.there,
+                    given == old_words.end() ? old_words.size() - 1 : static_cast<size_t>(given - old_words.begin()))));
     }
     if (const std::string word = doubled_qualifier(old_words, new_words); !word.empty())
         return refuse("the port would say `" + word + "` twice there");

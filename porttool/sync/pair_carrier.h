@@ -71,6 +71,7 @@ private:
     void leave_unported(const PairEdit& edit, const Texts& texts, const KnownNames& names, const Transplant& found,
                         Proposal& out) const;
     bool write(const PairEdit& edit, const Texts& texts, const KnownNames& names, Transplant& found, Proposal& out);
+    bool leave_values_of_nothing(const PairEdit& edit, const Texts& texts, Transplant& found, Proposal& out) const;
     static bool withdraw_undeclared(const PairEdit& edit, const Texts& texts, const ScannedFile& file,
                                     Transplant& found);
     static std::vector<TextEdit> edits_of(const Texts& texts, const ScannedFile& file, const Transplant& found);

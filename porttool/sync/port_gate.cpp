@@ -126,12 +126,16 @@ std::string gives_back_as_before(const std::vector<std::string>& was, const std:
                 if (is[i] == "]" && is_one_of(is[i + 1], {"(", "{", "mutable"})) return true;
         return false;
     };
+    bool gives_any = false;
     for (size_t c = 1; c < clauses.size(); ++c) {
         const Clause& clause = clauses[c];
-        if (is[clause.first] != "return" || (clause.size() == 2) == nothing_now || is_in_lambda(c)) continue;
+        if (is[clause.first] != "return" || is_in_lambda(c)) continue;
+        gives_any = true;
+        if ((clause.size() == 2) == nothing_now) continue;
         return nothing_now ? "the port still gives a value back there"
                            : "the port still gives nothing back there, and came to give a value back";
     }
+    if (!nothing_now && !gives_any) return "the port came to give a value back, and gives none";
     return {};
 }
 

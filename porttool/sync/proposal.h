@@ -4,8 +4,10 @@
 
 #include <array>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "porttool/scan/side.h"
@@ -26,6 +28,10 @@ struct LeftItem {
     bool is_sure = true;  ///< false where the port has nothing that resembles it: whether it is owed is not told
 };
 
+/// Units of the side that is written, by their ids, each with a function that gives nothing back there, whatever the
+/// source's does now.
+using Valueless = std::set<std::pair<std::string, std::string>>;
+
 struct Proposal {
     BySide<std::string> id;
     ProposalState state = ProposalState::Refused;
@@ -35,6 +41,7 @@ struct Proposal {
     std::vector<LeftItem> left;
     std::vector<LeftItem> perhaps;  ///< of what is left, what the port has nothing for, and may not owe
     std::vector<std::string> why;
+    bool comes_last = false;  ///< its patch applies behind those of all that have not
 };
 
 }  // namespace porttool

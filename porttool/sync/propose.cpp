@@ -17,6 +17,7 @@
 #include "porttool/sync/declaration_carrier.h"
 #include "porttool/sync/include_carrier.h"
 #include "porttool/sync/knowledge.h"
+#include "porttool/sync/name_follower.h"
 #include "porttool/sync/new_units.h"
 #include "porttool/sync/pair_carrier.h"
 #include "porttool/sync/port_gate.h"
@@ -74,6 +75,7 @@ public:
           includes_(checked, earlier_texts_, knowledge_, drafts_),
           declarations_(earlier_texts_, knowledge_, drafts_),
           calls_(checked, knowledge_, drafts_),
+          follower_(checked, knowledge_, drafts_),
           carrier_(knowledge_, drafts_, new_units_, raiser_, earlier_texts_, declarations_, lines_, checked, counts_) {
         for (const JudgedPair& pair : checked.judgement.pairs)
             for (const Side side : kBothSides) ++counts_[side][pair.id[side]];
@@ -90,6 +92,8 @@ public:
         }
         for (const size_t i : pairs) result_.proposals.push_back(propose_pair(checked_.judgement.pairs[i]));
         calls_.tell(pairs, result_.proposals);
+        follower_.run(result_.proposals);
+        result_.valueless = calls_.valueless();
         result_.files_with_partial = drafts_.files();
         return std::move(result_);
     }
@@ -169,6 +173,7 @@ private:
         if (!may_follow || out.state == ProposalState::Proposed) return out;
         drafts_.take_back();  // a port that is spelled otherwise anyway
         out = blank;
+        follower_.note(pair, from);
         return none_is_due();
     }
 
@@ -277,6 +282,7 @@ private:
     IncludeCarrier includes_;
     DeclarationCarrier declarations_;
     CallCarrier calls_;
+    NameFollower follower_;
     PairCounts counts_;
     PairCarrier carrier_;
     SyncResult result_;
@@ -300,7 +306,8 @@ bool SyncResult::any_left() const {
 
 namespace {
 
-/// Proposes, and again where a struct turns out to get no port: what uses its new fields then has none either.
+/// Proposes, and again where a struct turns out to get no port, or a function that comes to give a value back: what
+/// uses its new fields, or that value, then has none either.
 SyncResult propose_all(const CheckedProject& checked, const std::vector<size_t>& pairs, WriteSide write,
                        const Disk& disk, const EarlierFiles& earlier, Knowledge& knowledge, RunBudget& budget) {
     std::set<size_t> kept_back;
@@ -316,7 +323,8 @@ SyncResult propose_all(const CheckedProject& checked, const std::vector<size_t>&
             const bool is_last = round == kMostRounds;
             if ((!is_whole || is_last) && unit != nullptr && has_members(*unit)) kept_back.insert(pairs[i]);
         }
-        if (kept_back.size() == known) return out;
+        const bool any_valueless = knowledge.add_valueless(out.valueless);
+        if (kept_back.size() == known && !any_valueless) return out;
     }
 }
 
@@ -352,6 +360,8 @@ SyncResult propose(const CheckedProject& checked, const std::vector<size_t>& pai
     }
     out.files = std::move(last.files_with_partial);
     for (Proposal& one : out.proposals) set_apart_unsure(one);
+    std::stable_partition(out.proposals.begin(), out.proposals.end(),
+                          [](const Proposal& one) { return !one.comes_last; });
     return out;
 }
 

@@ -21,6 +21,7 @@ struct SyncResult {
     std::vector<Proposal> proposals;
     ProposedFiles files;  ///< of whole proposals
     ProposedFiles files_with_partial;
+    Valueless valueless;  ///< what a part of a port would take a value of, and which part
     /// True if something is left for a person.
     bool any_left() const;
 };

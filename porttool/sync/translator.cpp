@@ -12,18 +12,6 @@
 namespace porttool {
 namespace {
 
-/// Adds a phrase; where the target says it in the same words, each keeps its source.
-void add_phrase(const Examples::Phrase& phrase, const std::vector<std::string>& words, size_t at,
-                const std::function<std::string(size_t)>& written, CarriedWords& out) {
-    const bool same = phrase.target.size() == phrase.length;
-    for (size_t k = 0; k < phrase.target.size(); ++k) {
-        const bool kept = same && phrase.target[k] == words[at + k];
-        out.words.push_back(
-            {kept ? written(at + k) : written_number(phrase.target[k]), same ? at + k : CarriedWord::kNoSource});
-    }
-    if (!same && !phrase.target.empty()) out.words[out.words.size() - phrase.target.size()].from = at;
-}
-
 /// True for several components of a vector by their letters: `xy`, `rgba`.
 bool is_swizzle(std::string_view word) {
     if (word.size() < 2 || word.size() > 4) return false;
@@ -231,7 +219,7 @@ bool EditTranslator::carry_pattern(const std::vector<std::string>& words, size_t
     if (unit == units_.names.end() || unit->second.size() != 1) return false;
     const std::string& name = *unit->second.begin();
     for (const std::string& said : pattern.target)
-        out.words.push_back({said.empty() ? name : written_number(said), CarriedWord::kNoSource});
+        out.words.push_back({said.empty() ? name : written_there(said), CarriedWord::kNoSource});
     return true;
 }
 
@@ -302,7 +290,7 @@ CarriedWords EditTranslator::carry_words(const std::vector<std::string>& words, 
             out.unknown.push_back(words[i + phrase.length - 1] + "<>");
         if (phrase.length > 0) {
             drop_prefix_there(out.words, phrase.target);
-            add_phrase(phrase, words, i, written, out);
+            put_phrase(phrase, words, i, written, out);
             i += phrase.length;
             continue;
         }
@@ -330,6 +318,18 @@ CarriedWords EditTranslator::carry_words(const std::vector<std::string>& words, 
         ++i;
     }
     return out;
+}
+
+/// Adds a phrase; where the target says it in the same words, each keeps its source.
+void EditTranslator::put_phrase(const Examples::Phrase& phrase, const std::vector<std::string>& words, size_t at,
+                                const std::function<std::string(size_t)>& written, CarriedWords& out) const {
+    const bool same = phrase.target.size() == phrase.length;
+    for (size_t k = 0; k < phrase.target.size(); ++k) {
+        const bool kept = same && phrase.target[k] == words[at + k];
+        out.words.push_back(
+            {kept ? written(at + k) : written_there(phrase.target[k]), same ? at + k : CarriedWord::kNoSource});
+    }
+    if (!same && !phrase.target.empty()) out.words[out.words.size() - phrase.target.size()].from = at;
 }
 
 /// True for a phrase that says `std ::` without it, before a name that the port's file never has so: what it does for

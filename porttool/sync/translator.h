@@ -53,6 +53,7 @@ struct UnitSurroundings {
     std::set<std::string, std::less<>> reals = {};     ///< types of real numbers that it had before the edit
     std::set<std::string, std::less<>> gone = {};      ///< units that its file had before the edit
     std::set<std::string, std::less<>> pointers = {};  ///< variables that the port declares so
+    std::map<std::string, std::string> numbers = {};   ///< of the port, by their normal form, as it writes them
 };
 
 /// A number of the normal form as code has it: `1f` is `1.0f`.
@@ -73,6 +74,12 @@ public:
     /// words[first, end) of the source. `written`: how the source writes each of its words.
     CarriedWords carry(const std::vector<std::string>& words, size_t first, size_t end,
                        const std::function<std::string(size_t)>& written) const;
+
+    /// A word of the port in its normal form, as the port writes it.
+    std::string written_there(const std::string& word) const {
+        const auto known = around_.numbers.find(word);
+        return known == around_.numbers.end() ? written_number(word) : known->second;
+    }
 
     /// What words mean whatever the side: without scopes, and without what has no counterpart elsewhere.
     std::vector<std::string> meaning(const std::vector<std::string>& words, size_t first, size_t end) const;
@@ -143,6 +150,8 @@ private:
     std::string type_named(const std::string& name) const;
     std::string said_in_folder(std::string_view text, Use use) const;
     std::string number(const std::string& written) const;
+    void put_phrase(const Examples::Phrase& phrase, const std::vector<std::string>& words, size_t at,
+                    const std::function<std::string(size_t)>& written, CarriedWords& out) const;
     bool carry_pattern(const std::vector<std::string>& words, size_t first, size_t end, CarriedWords& out) const;
     /// Carries a statement that starts a kernel in the form that the target's file has for all its own.
     bool carry_launch(const std::vector<std::string>& words, size_t first, size_t end,

@@ -33,6 +33,9 @@ public:
         leave_lost();
         drop_blocks_around_nothing();
         drop_open_blocks();
+        while (drop_moved_end() || keep_lone_end()) {
+        }
+        drop_open_blocks();
         leave_old_uses(*this, out_);
         // In the order of the source's text, whatever came upon it.
         std::stable_sort(out_.left.begin(), out_.left.end(),
@@ -145,9 +148,7 @@ private:
     /// A block that went with all that the source had in it stays around what the port has of its own there.
     void keep_blocks_around_own() {
         const auto went = [&](size_t c) { return texts_.edit.clause_of[c] == kNothing; };
-        const auto goes = [&](size_t c) {
-            return std::find(out_.removed.begin(), out_.removed.end(), c) != out_.removed.end();
-        };
+        const auto goes = [&](size_t c) { return is_removed(c); };
         for (size_t c = 0; c < texts_.before.clauses.size(); ++c) {
             const size_t end = before(c).opens ? before(c).partner : Clause::kNone;
             const size_t there = counterpart(c);
@@ -168,9 +169,7 @@ private:
     /// A block of the port's own, as a launch around a kernel's call, does not stay without all that it had: it would
     /// have to go as well.
     void keep_blocks_from_emptying() {
-        const auto goes = [&](size_t c) {
-            return std::find(out_.removed.begin(), out_.removed.end(), c) != out_.removed.end();
-        };
+        const auto goes = [&](size_t c) { return is_removed(c); };
         for (size_t c = 1; c < texts_.target.clauses.size(); ++c) {
             const size_t end = target(c).opens ? target(c).partner : Clause::kNone;
             if (end == Clause::kNone || end == c + 1 || goes(c) || stands_for_something(c) || gets_any(c, end))
@@ -288,6 +287,59 @@ private:
                   first.first, std::min(found->before, texts_.target.words.size() - 1));
             out_.added.erase(found);
         }
+    }
+
+    /// An end of a block that the source moved, which comes to the port where that gives up its own end of that block.
+    bool drop_moved_end() {
+        const auto stays = [&](const ClauseAdded& clause) {
+            const size_t partner = now(clause.source).partner;
+            if (partner == Clause::kNone || origin_[partner] == kNothing) return false;
+            const size_t there = counterpart(origin_[partner]);
+            return there == kNothing || !is_removed(target(there).partner);
+        };
+        for (auto one = out_.added.begin(); one != out_.added.end(); ++one)
+            if (std::any_of(one->clauses.begin(), one->clauses.end(), stays)) {
+                const Clause& first = now(one->clauses.front().source);
+                leave("the source gained `" + shown(texts_.now.words, first.first, first.end) +
+                          "`, and the block around it ends elsewhere; the port's goes on",
+                      first.first, std::min(one->before, texts_.target.words.size() - 1));
+                out_.added.erase(one);
+                return true;
+            }
+        return false;
+    }
+
+    /// The other way round: an end that would go where no other comes for it.
+    bool keep_lone_end() {
+        for (const size_t c : out_.removed) {
+            const size_t partner = target(c).partner;
+            if (partner == Clause::kNone || is_removed(partner) || gets_end(partner)) continue;
+            const bool is_told = std::any_of(out_.left.begin(), out_.left.end(),
+                                             [&](const LeftOver& one) { return one.target_word == target(c).first; });
+            for (size_t was = 0; was < texts_.before.clauses.size() && !is_told; ++was)
+                if (counterpart(was) == c)
+                    leave("the source lost `" + shown(texts_.before.words, before(was).first, before(was).end) +
+                              "`; the other end of its block stays in the port",
+                          place_now(was), target(c).first);
+            std::erase(out_.removed, c);
+            return true;
+        }
+        return false;
+    }
+
+    /// True if one end of a block of the target is added again, elsewhere.
+    bool gets_end(size_t stays) const {
+        for (const ClausesAdded& one : out_.added)
+            for (const ClauseAdded& clause : one.clauses) {
+                const size_t partner = now(clause.source).partner;
+                if (partner != Clause::kNone && origin_[partner] != kNothing && counterpart(origin_[partner]) == stays)
+                    return true;
+            }
+        return false;
+    }
+
+    bool is_removed(size_t there) const {
+        return std::find(out_.removed.begin(), out_.removed.end(), there) != out_.removed.end();
     }
 
     bool is_added(size_t clause) const {

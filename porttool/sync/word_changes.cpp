@@ -97,6 +97,12 @@ void WordChanger::change_run(Hunk hunk, size_t was, size_t there) {
     if (says_no_value(hunk)) out_.left.resize(left);
 }
 
+bool WordChanger::says_restrict(const Hunk& hunk) const {
+    return std::any_of(texts_.now.words.begin() + static_cast<std::ptrdiff_t>(hunk.now_first),
+                       texts_.now.words.begin() + static_cast<std::ptrdiff_t>(hunk.now_end),
+                       [](const std::string& word) { return word != "const" && word_is(word, kQualifier); });
+}
+
 bool WordChanger::says_no_value(const Hunk& hunk) const {
     const auto all = [](const std::vector<std::string>& words, size_t first, size_t end) {
         return std::all_of(words.begin() + static_cast<std::ptrdiff_t>(first),
@@ -412,6 +418,8 @@ bool WordChanger::insert_run(Hunk hunk, size_t was, size_t there) {
     } else if (left != hunk.first && right != hunk.first) {
         return false;
     }
+    if (says_no_value(hunk) && says_restrict(hunk) && (place == 0 || texts_.target.words[place - 1] != "*"))
+        return true;  // it qualifies pointers alone
     if (goes_on_from_missing(hunk)) {
         leave_run(hunk, place, "the port has nothing there that it goes on from");
         return true;

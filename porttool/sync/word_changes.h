@@ -40,6 +40,8 @@ private:
     void change_run(Hunk hunk, size_t was, size_t there);
     void change_words_of(Hunk hunk, size_t was, size_t there);
     /// True for `const` and `restrict` alone that came or went.
+    /// True for words of which some qualify pointers alone.
+    bool says_restrict(const Hunk& hunk) const;
     bool says_no_value(const Hunk& hunk) const;
     void put(const Hunk& hunk, size_t first, size_t end, const CarriedWords& now);
     /// A function of the port's own that would go for a name which nothing there has, where the port says what changes
