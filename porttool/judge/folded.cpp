@@ -18,6 +18,7 @@
 #include "porttool/judge/sweeps.h"
 #include "porttool/judge/use_graph.h"
 #include "porttool/scan/scan.h"
+#include "porttool/text/shortened.h"
 
 namespace porttool {
 namespace {
@@ -121,11 +122,11 @@ private:
     std::map<std::string, size_t> by_cause_;  ///< the group that a cause belongs to
 };
 
-/// An id as it stands in the message of another finding: one that is no longer than a reader takes in, else its
-/// finding's fingerprint.
-const std::string& named_briefly(const std::string& id, const Finding& finding) {
+/// An id as it stands in the message of another finding: one that is longer than a reader takes in has its middle left
+/// out, and its finding's fingerprint beside it.
+std::string named_briefly(const std::string& id, const Finding& finding) {
     constexpr size_t kMost = 120;
-    return id.size() <= kMost ? id : finding.fingerprint;
+    return id.size() <= kMost ? id : shortened(id, kMost) + " (" + finding.fingerprint + ")";
 }
 
 /// What the others are, seen from the first.

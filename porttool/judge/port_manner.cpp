@@ -12,7 +12,7 @@
 namespace porttool {
 namespace {
 
-constexpr size_t kShortest = 32, kLongest = 1'000;  // words of texts whose likeness tells something, and soon
+constexpr size_t kShortest = 32, kLongest = 400;  // words of texts whose likeness tells something, and soon
 
 bool is_telling(const UnitState& unit) {
     const bool is_code = unit.kind == UnitKind::Function || unit.kind == UnitKind::Kernel;
@@ -23,7 +23,7 @@ bool is_telling(const UnitState& unit) {
 }  // namespace
 
 bool PortManner::is_of_own_words() {
-    constexpr size_t kSample = 48, kFewest = 8;
+    constexpr size_t kSample = 24, kFewest = 8;
     if (is_of_own_words_) return *is_of_own_words_;
     std::vector<BySide<const UnitState*>> namesakes;
     for (const MapPair& pair : facts_.map.pairs) {

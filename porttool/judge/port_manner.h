@@ -18,7 +18,7 @@ public:
         : facts_(facts), dialect_(dialect), own_names_(own_names) {}
 
     /// True if most pairs of one name have texts that say little alike: a name that both sides have then tells little
-    /// about an edit. Of a few dozen pairs, from all over the map; never of a few.
+    /// about an edit. Of two dozen pairs at most, from all over the map; never of a few.
     bool is_of_own_words();
 
 private:

@@ -171,6 +171,29 @@ TEST(QuietGate, EditsThatThePortsHaveNothingLikeAreToldOnce) {
         << "an edit of what both have is told for itself";
 }
 
+TEST(QuietGate, ALongIdIsNamedByItsBeginningAndItsEnd) {
+    const std::string folder(150, 'd'), text = "void f(float* y, int n) {\n  y[n] = old_rows(y, n) * 2.0f;\n}\n";
+    MemoryDisk disk;
+    std::string map = "version = 1\n[sides]\nsource = [\"s/**\"]\ntarget = [\"t/**\"]\n";
+    for (const char* name : {"f", "g", "h"}) {
+        const std::string file = folder + "/" + name + ".cpp",
+                          of_name = replaced(text, "f(float", name + std::string("(float"));
+        disk.files["/r/s/" + file] = disk.files["/r/t/" + file] = of_name;
+        map += "[[pair]]\nsource = \"s/" + file + ":" + name + "\"\ntarget = \"t/" + file + ":" + name + "\"\n";
+    }
+    disk.files["/r/portmap.toml"] = map;
+    ASSERT_EQ(run(disk, {"-C", "/r", "init", "--force"}).exit_code, 0);
+    for (const char* name : {"f", "g", "h"}) {
+        std::string& edited = disk.files["/r/s/" + folder + "/" + name + ".cpp"];
+        edited = replaced(edited, "old_rows(y, n)", "new_rows(y, n, 3) + wide(n, y) * 4.0f");
+    }
+    const auto report = check(disk);
+    const std::string message = report["findings"][0]["message"];
+    EXPECT_NE(message.find("s/" + folder.substr(0, 40)), std::string::npos) << message;
+    EXPECT_NE(message.find("/g.cpp:g ("), std::string::npos) << message;
+    EXPECT_EQ(message.find(folder), std::string::npos) << message;
+}
+
 TEST(QuietGate, InTextsThatAreTooLongToLayTheWordsTell) {
     std::string here = "void f(float* y, int n) {\n", there = "void f(Span& y, int n) {\n";
     for (int i = 0; i < 1300; ++i) {
