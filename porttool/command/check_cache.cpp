@@ -130,9 +130,11 @@ Outcome through_cache(const std::string& request, const std::string& repository,
         throw;
     }
     place.err << said.str();
-    if (const DiskTrace* trace = disk.trace())
-        cache.write(file, written({request, outcome.text, said.str(), std::to_string(outcome.exit_code), *trace}),
-                    kMostCacheBytes);
+    if (const DiskTrace* trace = disk.trace()) {
+        const std::string kept =
+            written({request, outcome.text, said.str(), std::to_string(outcome.exit_code), *trace});
+        cache.write(file, {kept}, kMostCacheBytes);
+    }
     return outcome;
 }
 

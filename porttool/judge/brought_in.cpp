@@ -98,7 +98,8 @@ private:
         compare_locked_pairs();
         const auto units = [](const LockedUnit& u) { return std::tie(u.side, u.id, u.reason, u.prints.written); };
         for (const LockedUnit* unit : new_ones(before_.lock.baseline, now_.lock.baseline, units))
-            add(GatePart::Ignore, kLock, unit->line, unit->id + (unit->reason.empty() ? "" : ": " + unit->reason));
+            add(GatePart::Ignore, kLock, unit->line,
+                unit->id + (unit->reason.empty() ? "" : ": " + unit->reason.text()));
         const auto verdicts = [](const LedgerEntry& e) {
             return std::tie(e.verdict, e.source, e.target, e.source_print, e.target_print, e.owner, e.until, e.reason);
         };

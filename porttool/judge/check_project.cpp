@@ -97,7 +97,10 @@ void tell_lost_texts(const CheckedProject& checked, const RecordedLock& now, Sna
 /// Takes the state at the merge base for what was in step. Returns what the change itself does to the gate.
 std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckChoice& choice, const MapFile& map_today,
                                          Workplace& place, FactsStore* kept) {
-    Snapshot base = read_snapshot_beside(checked, {Moment::Kind::MergeBase, choice.base}, place.disk, kept);
+    const auto see_files = [&](const Snapshot& then) {
+        for (const Side side : kBothSides) checked.new_words[side] = new_words(checked.files(side), then.files(side));
+    };
+    Snapshot base = read_snapshot_beside(checked, {Moment::Kind::MergeBase, choice.base}, place.disk, kept, see_files);
     if (!base.note.empty()) place.err << base.note << "\n";
     RecordedLock now = lock_if_readable(checked, place.err);
     const BaseRecord then = base_record(base, now, checked.states, place.err);
@@ -120,7 +123,6 @@ std::vector<BroughtIn> hold_against_base(CheckedProject& checked, const CheckCho
     // What today's globs leave out was not gone then.
     if (!then.has_map || has_same_sides(then.map, checked.project.map))
         checked.gone_before = std::move(in_step.gone_before);
-    for (const Side side : kBothSides) checked.new_words[side] = new_words(checked.files(side), base.files(side));
     checked.base_states = std::move(base.states);
     if (choice.trusted_map && then.has_lock)
         checked.in_project = then_lock;

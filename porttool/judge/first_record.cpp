@@ -51,6 +51,7 @@ std::vector<LockedUnit> baseline_of(const UnitsById& units, Side side,
                                     const std::map<std::string, std::set<std::string>>& paired,
                                     const TargetSets& sets) {
     std::vector<LockedUnit> out;
+    if (units.size() > paired.size()) out.reserve(units.size() - paired.size());  // not twice the room on the way there
     for (const auto& [id, state] : units) {
         const auto in = paired.find(id);
         if (side == Side::Target && in != paired.end()) continue;

@@ -182,7 +182,7 @@ private:
         std::vector<std::vector<bool>> lifted(candidates_.size());
         for (uint32_t s = 0; s < source_.size(); ++s) {
             if (choice_[s] == kNobody || !is_certain(s)) continue;
-            const std::vector<uint32_t>& there = target_[candidates_[s][choice_[s]].target].callees;
+            const TermIds& there = target_[candidates_[s][choice_[s]].target].callees;
             for (const uint32_t name : source_[s].callees) {
                 const auto found = called.find(name);
                 if (found == called.end() || found->second.size() > kMostNamesakes) continue;
@@ -195,7 +195,7 @@ private:
                 if (lifted[s][c]) scores_[s][c] += kBonus;
     }
 
-    void lift(uint32_t s, const std::vector<uint32_t>& there, std::vector<bool>& lifted) const {
+    void lift(uint32_t s, const TermIds& there, std::vector<bool>& lifted) const {
         lifted.resize(candidates_[s].size());
         for (uint32_t c = 0; c < lifted.size(); ++c)
             lifted[c] = lifted[c] ||

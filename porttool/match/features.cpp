@@ -57,16 +57,16 @@ public:
     Bag take(size_t family) {
         std::vector<uint32_t>& ids = ids_[family];
         std::sort(ids.begin(), ids.end());
-        Bag bag;
-        bag.reserve(ids.size());
-        for (const uint32_t id : ids) bag.push_back({id, std::exchange(amounts_[id], 0.0f)});
+        terms_.clear();
+        for (const uint32_t id : ids) terms_.push_back({id, std::exchange(amounts_[id], 0.0f)});
         ids.clear();
-        return bag;
+        return terms_;
     }
 
 private:
     std::vector<float> amounts_;  ///< by term id; all zero between units
     std::array<std::vector<uint32_t>, kFamilies> ids_;
+    std::vector<Term> terms_;  ///< of the family that is handed out
 };
 
 /// The words of one parameter: the first is its type, unless it is all there is or stands for any type, as `T` does.
@@ -185,13 +185,12 @@ private:
         if (!stage.empty()) {
             count_words(kName, stage, 1);
             count_words(kPlace, stage, 1);
-            features.name_words = {terms_.id(kName, split_words(stage).front())};
+            features.name_words = std::vector{terms_.id(kName, split_words(stage).front())};
         } else {
             features.name_words = counts_.ids(kName);
             std::sort(features.name_words.begin(), features.name_words.end());
         }
-        features.ordered_words = name_ids({shown, stage});
-        features.all_words = features.ordered_words;
+        features.all_words = features.ordered_words = name_ids({shown, stage});
         std::sort(features.all_words.begin(), features.all_words.end());
         features.path_words = path_words_;
         features.stem = stem_;
@@ -217,6 +216,7 @@ private:
 
     void read_parameters(const Unit& unit, UnitFeatures& features) {
         if (unit.parameters.empty()) return;
+        std::vector<uint32_t> operands, types;
         features.parameters = 1;
         Parameter parameter;
         int depth = 0;
@@ -228,7 +228,7 @@ private:
             if (text == ")" || text == ">") --depth;
             if (text == "," && depth == 0) {
                 ++features.parameters;
-                features.operands.push_back(parameter.type(terms_));
+                operands.push_back(parameter.type(terms_));
                 parameter = {};
             }
             if (token.kind != TokenKind::Identifier) continue;
@@ -237,11 +237,13 @@ private:
             if (known.common == nullptr)
                 count_ids(kBody, known.words);
             else
-                features.parameter_types.push_back(known.words.front());
+                types.push_back(known.words.front());
             if (!word_is(text, kRecord)) parameter.add(known.common != nullptr ? *known.common : text);
         }
-        features.operands.push_back(parameter.type(terms_));
-        std::sort(features.parameter_types.begin(), features.parameter_types.end());
+        operands.push_back(parameter.type(terms_));
+        std::sort(types.begin(), types.end());
+        features.operands = operands;
+        features.parameter_types = types;
     }
 
     void read_body(const Unit& unit, UnitFeatures& features) {

@@ -13,6 +13,7 @@
 #include "porttool/match/compounds.h"
 #include "porttool/scan/unit.h"
 #include "porttool/text/key_numbers.h"
+#include "porttool/text/short_list.h"
 #include "porttool/text/text_numbers.h"
 
 namespace porttool {
@@ -26,7 +27,10 @@ struct Term {
 };
 
 /// Terms sorted by id; after weighing, a unit vector.
-using Bag = std::vector<Term>;
+using Bag = ShortList<Term>;
+
+/// Ids of terms.
+using TermIds = ShortList<uint32_t>;
 
 /// A parameter that takes any type, as of a template.
 inline constexpr uint32_t kAnyType = 0xFFFFFFFFu;
@@ -37,7 +41,7 @@ enum class Group : uint8_t { Code, Struct, Constant };
 /// Whether a function is a constructor or a destructor.
 enum class Lifecycle : uint8_t { Neither, Begins, Ends };
 
-/// What one unit shows to the matcher.
+/// What one unit shows to the matcher. A file can have half a million units, so each of them is small.
 struct UnitFeatures {
     uint32_t file = 0;         ///< index into the side's files
     uint32_t unit = 0;         ///< index into the file's units
@@ -65,18 +69,18 @@ struct UnitFeatures {
     std::string folded_name;       ///< qualified, letters and digits only, without the platform
     std::string folded_leaf;
     std::array<Bag, kFamilies> bags;
-    std::vector<uint32_t> name_words;     ///< sorted term ids, without words that stand in most names of the side
-    std::vector<uint32_t> all_words;      ///< sorted term ids, a word as often as the qualified name has it
-    std::vector<uint32_t> ordered_words;  ///< term ids of the qualified name's words, as they follow each other
+    TermIds name_words;                   ///< sorted term ids, without words that stand in most names of the side
+    TermIds all_words;                    ///< sorted term ids, a word as often as the qualified name has it
+    TermIds ordered_words;                ///< term ids of the qualified name's words, as they follow each other
     std::string core;                     ///< what the name is about, in one word, see name_cores.h
-    std::vector<uint32_t> core_words;     ///< sorted term ids
+    TermIds core_words;                   ///< sorted term ids
     std::vector<std::string> name_types;  ///< the types that the name speaks of, in common spelling
     std::shared_ptr<const std::vector<uint32_t>> path_words;  ///< sorted term ids (of names) of folders and file
-    std::vector<uint32_t> parameter_types;                    ///< sorted term ids
-    std::vector<uint32_t> operands;                           ///< term ids of the parameters' types, in order
-    bool entry = false;             ///< named after its file, as a family of files has functions of its name
-    std::vector<uint32_t> callees;  ///< sorted term ids (of calls) of the whole names that it calls
-    uint32_t called_as = 0;         ///< the term id under which others call it
+    TermIds parameter_types;                                  ///< sorted term ids
+    TermIds operands;                                         ///< term ids of the parameters' types, in order
+    bool entry = false;      ///< named after its file, as a family of files has functions of its name
+    TermIds callees;         ///< sorted term ids (of calls) of the whole names that it calls
+    uint32_t called_as = 0;  ///< the term id under which others call it
     uint32_t parameters = 0;
     uint32_t size = 0;  ///< tokens of the body
     std::string value;  ///< of a constant, normalised

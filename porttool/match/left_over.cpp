@@ -197,7 +197,7 @@ private:
     }
 
     /// True if one of these words stands in the holder's body.
-    bool has_a_word_of(const UnitFeatures& holder, const std::vector<uint32_t>& words) const {
+    bool has_a_word_of(const UnitFeatures& holder, const TermIds& words) const {
         return std::any_of(words.begin(), words.end(), [&](uint32_t word) {
             return std::any_of(holder.bags[kBody].begin(), holder.bags[kBody].end(),
                                [&](const Term& term) { return terms_.text(term.id) == terms_.text(word); });
@@ -207,14 +207,14 @@ private:
     /// The function's name is what theirs begin with, or most have a word in it that sets them apart.
     bool are_named_in(const std::vector<uint32_t>& family, uint32_t t) const {
         const UnitFeatures& holder = target_[t];
-        std::vector<uint32_t> common = source_[family.front()].core_words;
+        std::vector<uint32_t> common = source_[family.front()].core_words.copy();
         for (const uint32_t s : family)
             std::erase_if(common, [&](uint32_t word) {
                 return !std::binary_search(source_[s].core_words.begin(), source_[s].core_words.end(), word);
             });
         size_t by_word = 0;
         for (const uint32_t s : family) {
-            std::vector<uint32_t> own = source_[s].core_words;
+            std::vector<uint32_t> own = source_[s].core_words.copy();
             std::erase_if(own, [&](uint32_t word) { return std::binary_search(common.begin(), common.end(), word); });
             if (has_a_word_of(holder, own)) ++by_word;
         }

@@ -24,7 +24,7 @@ public:
         for (const UnitFeatures& unit : units) {
             if (unit.group != Group::Code) continue;
             ++names_;
-            NameWords words = unit.ordered_words;
+            NameWords words = unit.ordered_words.copy();
             std::sort(words.begin(), words.end());
             words.erase(std::unique(words.begin(), words.end()), words.end());
             for (const uint32_t word : words) ++counts_[word];
@@ -61,7 +61,7 @@ bool tells_nothing(uint32_t word, const SideWords& own, const SideWords& other) 
 /// The words of a name that tell what it is about; all of them if none is left.
 NameWords without_how(const UnitFeatures& unit, const SideWords& side, const SideWords& other,
                       const TermNumbers& terms) {
-    const NameWords& all = unit.ordered_words;
+    const TermIds& all = unit.ordered_words;
     NameWords core;
     bool type_before = false;
     for (size_t i = 0; i < all.size(); ++i) {
@@ -72,7 +72,7 @@ NameWords without_how(const UnitFeatures& unit, const SideWords& side, const Sid
         type_before = how;
         if (!how && !width && !letter && !tells_nothing(all[i], side, other)) core.push_back(all[i]);
     }
-    return core.empty() ? all : core;
+    return core.empty() ? all.copy() : core;
 }
 
 std::string joined(const NameWords& words, const TermNumbers& terms) {
@@ -200,7 +200,7 @@ void drop_common_words(std::vector<UnitFeatures>& units, const SideWords& own, c
         NameWords kept;
         for (const uint32_t word : unit.name_words)
             if (!tells_nothing(word, own, other)) kept.push_back(word);
-        if (!kept.empty()) unit.name_words = std::move(kept);
+        if (!kept.empty()) unit.name_words = kept;
     }
 }
 

@@ -20,7 +20,8 @@ uint64_t mix(uint32_t word) {
 }
 
 /// A hash of a name's words whatever their order, from which a word can be taken by subtraction.
-uint64_t sum(const WordList& words) {
+template <class Words>
+uint64_t sum(const Words& words) {
     uint64_t total = 0;
     for (const uint32_t word : words) total += mix(word);
     return total;
@@ -212,8 +213,8 @@ NameEvidence::NameEvidence(const std::vector<UnitFeatures>& source, const std::v
         const bool related = lost.size() < from.all_words.size();
         if (!pair.certain) continue;
         if (related) ++learned->differences[key_of(lost, gained)];
-        learned->there.learn(from.all_words, lost);
-        learned->back.learn(to.all_words, gained);
+        learned->there.learn(from.all_words.copy(), lost);
+        learned->back.learn(to.all_words.copy(), gained);
         learned->source_variants.learn(lost);
         learned->target_variants.learn(gained);
     }

@@ -60,7 +60,7 @@ float name_likeness(const UnitFeatures& a, const UnitFeatures& b) {
 }
 
 /// Dice's share of two sorted lists.
-float dice(const std::vector<uint32_t>& a, const std::vector<uint32_t>& b) {
+float dice(const TermIds& a, const TermIds& b) {
     if (a.empty() && b.empty()) return 1;
     size_t shared = 0;
     for (size_t i = 0, k = 0; i < a.size() && k < b.size();) {

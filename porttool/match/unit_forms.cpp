@@ -26,7 +26,7 @@ bool UnitForms::is_copy(const UnitFeatures& a, const UnitFeatures& b) const {
 }
 
 std::vector<uint32_t> UnitForms::without_instruction_set(const UnitFeatures& unit) const {
-    std::vector<uint32_t> words = unit.ordered_words;
+    std::vector<uint32_t> words = unit.ordered_words.copy();
     std::erase_if(words, [&](uint32_t word) { return names_instruction_set(terms_.text(word)); });
     return words;
 }
@@ -38,7 +38,7 @@ float UnitForms::as_variant(const UnitFeatures& unit, const UnitFeatures& owner)
     return alike < kAlike ? 0.0f : std::min(kMost, 0.2f + 0.7f * alike);
 }
 
-bool UnitForms::is_version_of(const std::vector<uint32_t>& longer, const std::vector<uint32_t>& shorter) const {
+bool UnitForms::is_version_of(const TermIds& longer, const TermIds& shorter) const {
     if (!std::includes(longer.begin(), longer.end(), shorter.begin(), shorter.end())) return false;
     std::vector<uint32_t> more;
     std::set_difference(longer.begin(), longer.end(), shorter.begin(), shorter.end(), std::back_inserter(more));
@@ -56,7 +56,7 @@ bool UnitForms::may_share(const UnitFeatures& unit, const UnitFeatures& other, c
                           const Candidate& candidate) const {
     constexpr float kOperands = 0.75f, kAlike = 0.4f;
     const Resemblance& resemblance = candidate.resemblance;
-    const auto within = [](const std::vector<uint32_t>& few, const std::vector<uint32_t>& many) {
+    const auto within = [](const TermIds& few, const TermIds& many) {
         return std::includes(many.begin(), many.end(), few.begin(), few.end());
     };
     const bool one_subject = unit.core == owner.core || resemblance.core >= 1;

@@ -40,7 +40,7 @@ private:
     std::vector<uint32_t> without_instruction_set(const UnitFeatures& unit) const;
 
     /// `solver_2` of `solver`: the same words, and numbers.
-    bool is_version_of(const std::vector<uint32_t>& longer, const std::vector<uint32_t>& shorter) const;
+    bool is_version_of(const TermIds& longer, const TermIds& shorter) const;
 
     /// What a project computes on the host to compare its kernels with is not what ports them.
     bool is_reference_of(const UnitFeatures& unit, const UnitFeatures& target) const;

@@ -108,7 +108,7 @@ bool UnitRoles::is_launched_there(uint32_t s, uint32_t t) const {
 
 bool UnitRoles::calls_by_name(uint32_t s, uint32_t t) const {
     const uint32_t name = source_[s].called_as;
-    const std::vector<uint32_t>& callees = target_[t].callees;
+    const TermIds& callees = target_[t].callees;
     return !own_.contains(name) && std::binary_search(callees.begin(), callees.end(), name);
 }
 

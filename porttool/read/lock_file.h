@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "porttool/scan/side.h"
@@ -77,13 +80,53 @@ struct LockedPair {
     BySide<std::string> macros = {};  ///< what WordMacros::of() gave then; "" where that is not known
 };
 
+/// A text that mostly is one of a few, which take no memory of their own: a lock can have half a million lines.
+class CommonText {
+public:
+    CommonText(std::string text = {}) : text_(common(text)) {
+        if (text_ == nullptr) text_ = new std::string(std::move(text));
+    }
+    CommonText(const char* text) : CommonText(std::string(text)) {}
+    CommonText(const CommonText& other) : text_(other.is_own() ? new std::string(*other.text_) : other.text_) {}
+    CommonText(CommonText&& other) noexcept : text_(std::exchange(other.text_, &kCommon.front())) {}
+    CommonText& operator=(CommonText other) noexcept {
+        std::swap(text_, other.text_);
+        return *this;
+    }
+    ~CommonText() {
+        if (is_own()) delete text_;
+    }
+
+    const std::string& text() const { return *text_; }
+    operator const std::string&() const { return *text_; }
+    bool empty() const { return text_->empty(); }
+    bool operator==(const CommonText& other) const { return *text_ == *other.text_; }
+    bool operator==(std::string_view other) const { return *text_ == other; }
+    bool operator==(const char* other) const { return *text_ == other; }
+    auto operator<=>(const CommonText& other) const { return *text_ <=> *other.text_; }
+
+private:
+    static const std::array<std::string, 3> kCommon;  ///< "" first
+
+    static const std::string* common(const std::string& text) {
+        for (const std::string& one : kCommon)
+            if (one == text) return &one;
+        return nullptr;
+    }
+    bool is_own() const {
+        return std::none_of(kCommon.begin(), kCommon.end(), [&](const std::string& one) { return &one == text_; });
+    }
+
+    const std::string* text_;
+};
+
 /// A unit that no pair watches, as it was when it was last looked at: a source unit without a counterpart is in the
 /// baseline.
 struct LockedUnit {
     std::string id;
     Fingerprints prints;
-    std::string reason = {};  ///< why it needs none, if somebody said so
-    std::string side = "source";
+    CommonText reason = {};  ///< why it needs none, if somebody said so
+    CommonText side = "source";
     MoreFields more = {};
     int line = 0;  ///< in the file that it was read from
 };

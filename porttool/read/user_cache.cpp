@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
-#include <vector>
 
 #include "porttool/read/disk.h"
 
@@ -33,6 +32,32 @@ bool lies_in(const std::string& folder, const std::string& repository) {
     if (error) return true;
     const std::string root = fs::weakly_canonical(repository, error).generic_string();
     return error || (real + "/").starts_with(root == "/" ? root : root + "/");
+}
+
+bool write_whole(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t took = ::write(descriptor, bytes.data(), bytes.size());
+        if (took <= 0) return false;
+        bytes.remove_prefix(static_cast<size_t>(took));
+    }
+    return true;
+}
+
+/// Writes pieces one after the other: small ones together, large ones where they stand.
+bool write_pieces(int descriptor, const std::vector<std::string_view>& pieces) {
+    constexpr size_t kBlock = 1u << 20;
+    std::string gathered;
+    for (const std::string_view piece : pieces) {
+        if (gathered.size() + piece.size() > kBlock) {
+            if (!write_whole(descriptor, gathered)) return false;
+            gathered.clear();
+        }
+        if (piece.size() <= kBlock)
+            gathered += piece;
+        else if (!write_whole(descriptor, piece))
+            return false;
+    }
+    return write_whole(descriptor, gathered);
 }
 
 }  // namespace
@@ -92,18 +117,15 @@ bool UserCache::make_folder() const {
     return true;
 }
 
-void UserCache::write(const std::string& file, const std::string& bytes, uint64_t most_bytes) const {
-    if (folder_.empty() || bytes.size() > most_bytes || !make_folder()) return;
+void UserCache::write(const std::string& file, const std::vector<std::string_view>& pieces, uint64_t most_bytes) const {
+    uint64_t size = 0;
+    for (const std::string_view piece : pieces) size += piece.size();
+    if (folder_.empty() || size > most_bytes || !make_folder()) return;
     std::string unfinished = join_path(folder_, ".new-XXXXXX");
     const int descriptor = ::mkostemp(unfinished.data(), O_CLOEXEC);
     if (descriptor < 0) return;
-    size_t written = 0;
-    while (written < bytes.size()) {
-        const ssize_t took = ::write(descriptor, bytes.data() + written, bytes.size() - written);
-        if (took <= 0) break;
-        written += static_cast<size_t>(took);
-    }
-    const bool whole = ::close(descriptor) == 0 && written == bytes.size();
+    const bool written = write_pieces(descriptor, pieces);
+    const bool whole = ::close(descriptor) == 0 && written;
     if (!whole || ::rename(unfinished.c_str(), join_path(folder_, file).c_str()) != 0) ::unlink(unfinished.c_str());
     drop_oldest(most_bytes);
 }

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace porttool {
 
@@ -26,8 +28,8 @@ public:
 
     /// None where the file has more than `most_bytes`: it is none that was written.
     std::optional<std::string> read(const std::string& file, uint64_t most_bytes) const;
-    /// Keeps the newest files, at most `most_bytes` in all.
-    void write(const std::string& file, const std::string& bytes, uint64_t most_bytes) const;
+    /// Writes a file of pieces, one after the other. Keeps the newest files, at most `most_bytes` in all.
+    void write(const std::string& file, const std::vector<std::string_view>& pieces, uint64_t most_bytes) const;
 
 private:
     bool is_ours() const;

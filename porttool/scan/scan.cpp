@@ -3,6 +3,7 @@
 #include "porttool/scan/scan.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "porttool/scan/brackets.h"
@@ -20,21 +21,23 @@ namespace {
 
 bool starts_before(const Unit& a, const Unit& b) { return a.tokens.first < b.tokens.first; }
 
-/// Joins structural units and macros; a macro inside a unit belongs to that unit.
+/// Joins structural units and macros; a macro inside a unit belongs to that unit. One table holds both where it can: of
+/// tiny units it is ten times their text.
 std::vector<Unit> merge(std::vector<Unit> units, std::vector<Unit> macros) {
-    std::vector<Unit> out;
-    std::stable_sort(units.begin(), units.end(), starts_before);
+    if (!std::is_sorted(units.begin(), units.end(), starts_before))
+        std::stable_sort(units.begin(), units.end(), starts_before);
     size_t next = 0;
     uint32_t covered = 0;
-    for (Unit& macro : macros) {
-        for (; next < units.size() && units[next].tokens.first < macro.tokens.first; ++next) {
+    std::erase_if(macros, [&](const Unit& macro) {
+        for (; next < units.size() && units[next].tokens.first < macro.tokens.first; ++next)
             covered = std::max(covered, units[next].tokens.end);
-            out.push_back(std::move(units[next]));
-        }
-        if (macro.tokens.first >= covered) out.push_back(std::move(macro));
-    }
-    for (; next < units.size(); ++next) out.push_back(std::move(units[next]));
-    return out;
+        return macro.tokens.first < covered;
+    });
+    if (units.empty()) return macros;
+    const auto middle = static_cast<std::ptrdiff_t>(units.size());
+    std::move(macros.begin(), macros.end(), std::back_inserter(units));
+    std::inplace_merge(units.begin(), units.begin() + middle, units.end(), starts_before);
+    return units;
 }
 
 /// Later units of one name get #2, #3.

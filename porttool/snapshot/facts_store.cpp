@@ -19,7 +19,7 @@ namespace {
 
 constexpr uint64_t kMostBytes = 512ull << 20;
 constexpr uint64_t kMostScannedBytes = 128ull << 20;  // that new files take which stay scanned
-constexpr std::string_view kFirstLine = "porttool files 1\n";
+constexpr std::string_view kFirstLine = "porttool files 2\n";
 
 /// What a scanned file with the texts of its units takes, about.
 uint64_t bytes_of(const ScannedFile& file, const std::vector<UnitState>& states) {
@@ -28,6 +28,14 @@ uint64_t bytes_of(const ScannedFile& file, const std::vector<UnitState>& states)
     for (const UnitState& state : states) words += state.text.size();
     return file.lexed.text.size() + file.lexed.tokens.size() * sizeof(Token) + file.units.size() * kOfUnit +
            words * kOfWord;
+}
+
+/// Of pieces that are one text, without a copy of them in one.
+uint64_t hash_of_pieces(const TraceKey& key, const std::vector<std::string_view>& pieces) {
+    std::string hashes;
+    ByteWriter out(hashes);
+    for (const std::string_view piece : pieces) out.number(keyed_hash(key, piece));
+    return keyed_hash(key, hashes);
 }
 
 }  // namespace
@@ -46,25 +54,29 @@ void FactsStore::open() {
     key_ = random_trace_key();
 }
 
-/// A first line, the key, the request, a table of hashes and sizes, the facts one after the other, and a hash of all.
+/// A head (a first line, the key, the request, a table of hashes and sizes), the facts one after the other, and a hash
+/// of the hashes of head and facts.
 bool FactsStore::read(std::string bytes) {
     if (!bytes.starts_with(kFirstLine) || bytes.size() < kFirstLine.size() + sizeof(uint64_t)) return false;
     kept_ = std::make_shared<const std::string>(std::move(bytes));
     const std::string_view all = *kept_, body = all.substr(0, all.size() - sizeof(uint64_t));
     ByteReader in(body.substr(kFirstLine.size()));
     for (uint64_t& half : key_) half = in.number<uint64_t>();
-    if (ByteReader(all.substr(body.size())).number<uint64_t>() != keyed_hash(key_, body)) return false;
     if (in.text() != request_) return false;
     const auto count = in.number<uint64_t>();
     if (count > in.left() / (2 * sizeof(uint64_t))) return false;
     ByteReader facts = in;
     facts.take(count * 2 * sizeof(uint64_t));
+    std::vector<std::string_view> pieces{body.substr(0, body.size() - facts.left())};
+    pieces.reserve(count + 1);
     found_.reserve(count);
     for (uint64_t i = 0; i < count; ++i) {
         const auto hash = in.number<uint64_t>();
-        found_.emplace(hash, facts.take(in.number<uint64_t>()));
+        pieces.push_back(facts.take(in.number<uint64_t>()));
+        found_.emplace(hash, pieces.back());
     }
-    return facts.sound() && facts.at_end();
+    if (!facts.sound() || !facts.at_end()) return false;
+    return ByteReader(all.substr(body.size())).number<uint64_t>() == hash_of_pieces(key_, pieces);
 }
 
 uint64_t FactsStore::hash_of(const SourceText& file, bool is_whole) const {
@@ -139,12 +151,8 @@ void FactsStore::save() {
     entries.erase(
         std::unique(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.hash == b.hash; }),
         entries.end());
-    std::string out(kFirstLine);
-    uint64_t size = out.size() + request_.size() + (5 + 2 * entries.size()) * sizeof(uint64_t);
-    for (const Entry& entry : entries) size += entry.bytes.size();
-    if (size > kMostBytes) return;
-    out.reserve(size);
-    ByteWriter writer(out);
+    std::string head(kFirstLine);
+    ByteWriter writer(head);
     for (const uint64_t half : key_) writer.number(half);
     writer.text(request_);
     writer.number<uint64_t>(entries.size());
@@ -152,9 +160,12 @@ void FactsStore::save() {
         writer.number(entry.hash);
         writer.number<uint64_t>(entry.bytes.size());
     }
-    for (const Entry& entry : entries) out += entry.bytes;
-    writer.number(keyed_hash(key_, out));
-    cache_.write(file_, out, kMostBytes);
+    std::vector<std::string_view> pieces{head};
+    for (const Entry& entry : entries) pieces.push_back(entry.bytes);
+    std::string tail;
+    ByteWriter(tail).number(hash_of_pieces(key_, pieces));
+    pieces.push_back(tail);
+    cache_.write(file_, pieces, kMostBytes);
 }
 
 }  // namespace porttool

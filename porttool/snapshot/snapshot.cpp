@@ -428,7 +428,8 @@ Snapshot read_snapshot_again(Project project, Snapshot last, const Disk& on_disk
     return out;
 }
 
-Snapshot read_snapshot_beside(const Snapshot& known, const Moment& at, const Disk& on_disk, FactsStore* facts) {
+Snapshot read_snapshot_beside(const Snapshot& known, const Moment& at, const Disk& on_disk, FactsStore* facts,
+                              const std::function<void(const Snapshot&)>& see_files) {
     Snapshot out{without_files(known.project), {}, at, "", {}, &on_disk};
     BySide<SourceSet> sets = sides_from_git(out);
     if (known.known && facts != nullptr) {
@@ -436,10 +437,12 @@ Snapshot read_snapshot_beside(const Snapshot& known, const Moment& at, const Dis
         out.known.emplace();
         for (const Side side : kBothSides)
             (*out.known)[side] = know_beside(std::move(sets[side].files), (*known.known)[side], named, *facts);
+        see_files(out);
         out.states = read_states(*out.known);
         return out;
     }
     const BySide<std::set<std::string>> same = scan_beside(out, sets, known);
+    see_files(out);
     out.states = read_states(out.project, known.states, same);
     return out;
 }

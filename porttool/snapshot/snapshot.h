@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -71,8 +72,10 @@ Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, F
 Snapshot read_snapshot_again(Project project, Snapshot last, const Disk& on_disk);
 
 /// The same of a commit, beside a snapshot of another moment under the same pairs: what is the same text there is not
-/// scanned again. `facts`: what is kept of files where `known` knows its own by that.
-Snapshot read_snapshot_beside(const Snapshot& known, const Moment& at, const Disk& on_disk, FactsStore* facts);
+/// scanned again. `facts`: what is kept of files where `known` knows its own by that. `see_files` gets it while it has
+/// files and no states of their units yet, which take much room: for who scans whole files.
+Snapshot read_snapshot_beside(const Snapshot& known, const Moment& at, const Disk& on_disk, FactsStore* facts,
+                              const std::function<void(const Snapshot&)>& see_files);
 
 /// Scans files that are known by their facts, for who wants all of `project.source` and `project.target`.
 void scan_known_files(Snapshot& snapshot);

@@ -51,6 +51,26 @@ def siphash(key, data):
     return v[0] ^ v[1] ^ v[2] ^ v[3]
 
 
+FIRST_LINE = b"porttool files 2\n"
+KEY = slice(len(FIRST_LINE), len(FIRST_LINE) + 16)
+
+
+def sum_of_facts(data):
+    """What ends a file of facts: a hash of the hashes of its head and of each file's facts, cut as its table says."""
+    key, at = data[KEY], KEY.stop
+    try:
+        at += 8 + struct.unpack_from("<Q", data, at)[0]
+        count = struct.unpack_from("<Q", data, at)[0]
+        sizes = [struct.unpack_from("<Q", data, at + 16 + 16 * i)[0] for i in range(count)]
+    except struct.error:
+        return struct.pack("<Q", siphash(key, data))
+    ends = [at + 8 + 16 * count]
+    for size in sizes:
+        ends.append(ends[-1] + size)
+    pieces = [data[first:end] for first, end in zip([0, *ends], ends)]
+    return struct.pack("<Q", siphash(key, b"".join(struct.pack("<Q", siphash(key, piece)) for piece in pieces)))
+
+
 class Cache(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -206,10 +226,8 @@ class Cache(unittest.TestCase):
         """Whoever can write the owner's files can lie; that a lie shows is how we know that facts are used."""
         entry = self.facts()
         good = entry.read_bytes()
-        first_line = b"porttool files 1\n"
-        self.assertTrue(good.startswith(first_line))
-        key = good[len(first_line):len(first_line) + 16]
-        self.assertEqual(struct.pack("<Q", siphash(key, good[:-8])), good[-8:])
+        self.assertTrue(good.startswith(FIRST_LINE))
+        self.assertEqual(sum_of_facts(good[:-8]), good[-8:])
         victim = self.root / "source" / "rays.comp"
         victim.write_bytes(victim.read_bytes() + b"\nint new_one(int x) { return x + 1; }\n")
         fresh = self.check("--no-cache")
@@ -218,7 +236,7 @@ class Cache(unittest.TestCase):
         names = re.findall(rb"(?<=\x08\0\0\0\0\0\0\0)[a-z_]{8}(?=[\0-\4]..\0\0..\0\0)", lie, re.S)
         self.assertTrue(names, "a unit's name, kind and lines")
         lie = lie.replace(b"\x08" + b"\0" * 7 + names[0], b"\x08" + b"\0" * 7 + b"made__up")
-        entry.write_bytes(lie + struct.pack("<Q", siphash(key, lie)))
+        entry.write_bytes(lie + sum_of_facts(lie))
         self.assertIn(b"made__up", self.check()[1])
         entry.write_bytes(lie + good[-8:])
         self.forget_answers()
@@ -231,14 +249,14 @@ class Cache(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.home, True)
         others = self.facts().read_bytes()  # of another key
         self.home = mine
-        start = len(b"porttool files 1\n")
+        start = KEY.start
         request = good[start + 24:start + 24 + struct.unpack("<Q", good[start + 16:start + 24])[0]]
 
         def with_sum(data):
-            return data + struct.pack("<Q", siphash(data[start:start + 16], data))
+            return data + sum_of_facts(data)
 
         count_at = start + 24 + len(request)
-        damages = [b"", b"porttool files 1\n", good[:50], good[:-1], good[:-8], good[:-20] + b"x" * 20, b"\0" * len(good),
+        damages = [b"", FIRST_LINE, good[:50], good[:-1], good[:-8], good[:-20] + b"x" * 20, b"\0" * len(good),
                    good[:start] + others[start:start + 16] + good[start + 16:],
                    with_sum(good[:-8].replace(request, request[:-1] + b"~", 1)),
                    with_sum(good[:count_at] + struct.pack("<Q", WORD) + good[count_at + 8:-8]),
@@ -265,14 +283,13 @@ class Cache(unittest.TestCase):
         entry = self.facts()
         good = entry.read_bytes()
         fresh = self.check("--no-cache")
-        key = good[17:33]
         for number in range(40):
             at = (number * 7919) % (len(good) - 60) + 50
             data = bytearray(good[:-8] if number % 2 else good[:at])
             if number % 2:
                 data[at - 8] ^= 1 << number % 8
             else:
-                data += struct.pack("<Q", siphash(key, bytes(data))) if number % 4 else b""
+                data += sum_of_facts(bytes(data)) if number % 4 else b""
             self.forget_answers()
             entry.write_bytes(bytes(data) + (good[-8:] if number % 2 else b""))
             self.assertEqual(self.check(), fresh, (number, at))
