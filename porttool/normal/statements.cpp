@@ -28,15 +28,23 @@ std::vector<std::string> translate(const Words& tokens, const Dialect& dialect) 
     return out;
 }
 
+/// True for a token of one letter that is one of these.
+bool is_any_of(std::string_view token, std::string_view letters) {
+    return token.size() == 1 && letters.find(token[0]) != std::string_view::npos;
+}
+
+/// True for a bracket that stands without a space behind this token: that of a call.
+bool opens_call(std::string_view bracket, std::string_view before) {
+    return bracket == "(" && before.find_first_of("+-*/<>&|,?:") == std::string_view::npos && before != "=" &&
+           before != "if" && before != "for" && before != "while" && before != "return";
+}
+
 std::string readable(const Words& tokens) {
     std::string out;
     for (size_t i = 0; i < tokens.size(); ++i) {
         const std::string_view token = tokens[i], before = i > 0 ? tokens[i - 1] : "";
-        const bool tight = i == 0 || token == ")" || token == "," || token == ";" || token == "." || token == "->" ||
-                           token == "::" || token == "[" || token == "]" || before == "(" || before == "." ||
-                           before == "->" || before == "::" || before == "[" ||
-                           (token == "(" && before != "if" && before != "for" && before != "while" && before != "=" &&
-                            before != "return" && before.find_first_of("+-*/<>&|,?:") == std::string::npos);
+        const bool tight = i == 0 || is_any_of(token, "),;.[]") || token == "->" || token == "::" ||
+                           is_any_of(before, "(.[") || before == "->" || before == "::" || opens_call(token, before);
         if (!tight) out += ' ';
         out += token;
     }
