@@ -206,7 +206,7 @@ void OneSidedWeight::weigh(JudgedPair& pair, Side side, const NormalText& before
 /// another.
 bool OneSidedWeight::doubt_unless_owed(const JudgedPair& pair, LaidEdit& laid, const std::string& why,
                                        Finding& finding) {
-    const OwedBy by{[&] { return own_names_.are_one(pair.unit); }, [&] { return manner_.is_of_own_words(); }};
+    const OwedBy by{[&] { return own_names_.are_one(pair.unit); }, [&] { return words_of_ports_.are_their_own(); }};
     if (is_likely_owed(laid, by)) return false;
     if (is_of_few_words(laid.texts().before, laid.texts().now))
         weaken(pair, finding, Level::Warning, why);

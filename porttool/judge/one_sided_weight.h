@@ -10,9 +10,9 @@
 #include "porttool/judge/finding_list.h"
 #include "porttool/judge/judge.h"
 #include "porttool/judge/own_names.h"
-#include "porttool/judge/port_manner.h"
 #include "porttool/judge/swept_names.h"
 #include "porttool/judge/watched_units.h"
+#include "porttool/judge/words_of_ports.h"
 
 namespace porttool {
 
@@ -25,7 +25,12 @@ class OneSidedWeight {
 public:
     /// All must outlive it; what is asked of the names is kept there.
     OneSidedWeight(const Case& facts, const Dialect& dialect, OwnNames& own_names, SweptNames& swept_names)
-        : facts_(facts), dialect_(dialect), own_names_(own_names), swept_names_(swept_names), watched_(facts.map), manner_(facts, dialect, own_names) {}
+        : facts_(facts),
+          dialect_(dialect),
+          own_names_(own_names),
+          swept_names_(swept_names),
+          watched_(facts.map),
+          words_of_ports_(facts, dialect, own_names) {}
 
     /// The macros for which an edit added texts, where it did nothing else, neither in the unit nor in what the file
     /// declares for it, and only who builds that side asks for them; else none.
@@ -45,7 +50,7 @@ private:
     OwnNames& own_names_;
     SweptNames& swept_names_;
     WatchedUnits watched_;
-    PortManner manner_;
+    WordsOfPorts words_of_ports_;
 };
 
 }  // namespace porttool

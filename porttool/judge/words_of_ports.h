@@ -11,18 +11,18 @@
 namespace porttool {
 
 /// How the ports of a project say what their sources say: in the same words, as twins do, or in words of their own.
-class PortManner {
+class WordsOfPorts {
 public:
     /// All must outlive it.
-    PortManner(const Case& facts, const Dialect& dialect, OwnNames& own_names)
+    WordsOfPorts(const Case& facts, const Dialect& dialect, OwnNames& own_names)
         : facts_(facts), dialect_(dialect), own_names_(own_names) {}
 
     /// True if most pairs of one name have texts that say little alike: a name that both sides have then tells little
     /// about an edit. Of two dozen pairs at most, from all over the map; never of a few.
-    bool is_of_own_words();
+    bool are_their_own();
 
 private:
-    std::optional<bool> is_of_own_words_;  ///< worked out when first asked
+    std::optional<bool> are_their_own_;  ///< worked out when first asked
 
     const Case& facts_;
     const Dialect& dialect_;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The porttool authors
 // SPDX-License-Identifier: Apache-2.0
-#include "porttool/judge/port_manner.h"
+#include "porttool/judge/words_of_ports.h"
 
 #include <algorithm>
 #include <vector>
@@ -22,9 +22,9 @@ bool is_telling(const UnitState& unit) {
 
 }  // namespace
 
-bool PortManner::is_of_own_words() {
+bool WordsOfPorts::are_their_own() {
     constexpr size_t kSample = 24, kFewest = 8;
-    if (is_of_own_words_) return *is_of_own_words_;
+    if (are_their_own_) return *are_their_own_;
     std::vector<BySide<const UnitState*>> namesakes;
     for (const MapPair& pair : facts_.map.pairs) {
         const auto source = facts_.source.find(pair.source);
@@ -45,8 +45,8 @@ bool PortManner::is_of_own_words() {
         LaidEdit laid(texts, dialect_);
         alike += are_mostly_alike(laid) ? 1 : 0;
     }
-    is_of_own_words_ = read >= kFewest && 2 * alike < read;
-    return *is_of_own_words_;
+    are_their_own_ = read >= kFewest && 2 * alike < read;
+    return *are_their_own_;
 }
 
 }  // namespace porttool
