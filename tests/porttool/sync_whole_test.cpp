@@ -171,8 +171,9 @@ TEST_F(SyncWhole, WhatQualifiesAPointerComesBehindOne) {
         "__global__ void fade(float* __restrict__ a, float* __restrict__ b, int n) {\n  a[n] = b[n] * 3.0f;\n}\n";
     write(source_path, now);
     for (const nlohmann::json& one : proposals_of(now))
-        if (one["patch"].is_string())
+        if (one["patch"].is_string()) {
             EXPECT_EQ(one["patch"].get<std::string>().find("int __restrict__"), std::string::npos) << one.dump(1);
+        }
 }
 
 std::string timed(const std::string& within, const std::string& behind) {
