@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "porttool/language/words.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {

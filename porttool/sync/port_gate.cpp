@@ -17,6 +17,7 @@
 #include "porttool/normal/prelude.h"
 #include "porttool/normal/unit_state.h"
 #include "porttool/sync/scopes.h"
+#include "porttool/text/is_one_of.h"
 
 namespace porttool {
 namespace {
