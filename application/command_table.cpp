@@ -12,7 +12,8 @@ namespace application {
 std::span<const Command> command_table() {
     static const std::vector<Command> table = {
         {"render", "Render a scene to a picture (.png or .exr)", declare_render, run_render},
-        {"compare", "Tell how much the pictures of both cores, or two image files, differ", declare_compare, run_compare},
+        {"compare", "Tell how much the pictures of both cores, or two image files, differ", declare_compare,
+         run_compare},
         {"view", "Open a window on both cores", declare_view, run_view},
         {"merge", "Add renders of disjoint sample ranges to the picture of one run", declare_merge, run_merge},
         {"bench", "Count the rays of a scene and time them", declare_bench, run_bench},

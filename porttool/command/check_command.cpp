@@ -39,7 +39,8 @@ std::string formatted(const CheckedProject& checked, const Options& options, con
 }  // namespace
 
 void declare_check(Declare& declare, Options& options) {
-    declare.text("--base", options.base, "REV", "Hold the work tree against merge-base(REV, HEAD)").not_empty("a revision");
+    declare.text("--base", options.base, "REV", "Hold the work tree against merge-base(REV, HEAD)")
+        .not_empty("a revision");
     declare.flag("--trusted-map", options.trusted_map,
                  "With --base: take map, lock and suppressions from there, so that a change cannot settle itself");
     declare.flag("--staged", options.staged, "Take the index in place of the work tree");

@@ -17,8 +17,8 @@ class GlbBuilder;
 /// is no such line.
 std::string joined_lines(std::string_view text);
 
-/// The text without the slashes that stand at the end of a face's corners (`1//`, `2/2/`), which tinyobjloader takes for
-/// an index of 0; as many characters as before, empty if there is none.
+/// The text without the slashes that stand at the end of a face's corners (`1//`, `2/2/`), which tinyobjloader takes
+/// for an index of 0; as many characters as before, empty if there is none.
 std::string closed_corners(std::string_view text);
 
 /// Throws ImportError, with the line, where a position has no numbers, an index is past 32 bits or a face has more

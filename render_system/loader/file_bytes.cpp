@@ -21,7 +21,8 @@ namespace {
     if (error == ENOENT || error == ENOTDIR) {
         throw LoadError{StatusCode::not_found, "there is no such file; check the path"};
     }
-    throw LoadError{StatusCode::unreadable, std::string("cannot be read (") + std::strerror(error) + "); see its rights and the disk"};
+    throw LoadError{StatusCode::unreadable,
+                    std::string("cannot be read (") + std::strerror(error) + "); see its rights and the disk"};
 }
 
 // What opening would wait for, or would set off, is asked for first: a pipe waits for its writer, a device may act.

@@ -61,7 +61,7 @@ private:
     std::optional<KernelVariant> asked_;  // of find, the last time
     std::shared_ptr<KernelSet> in_use_;
     std::optional<Fresh> fresh_;
-    bool renewed_ = false;                     // since find last answered
+    bool renewed_ = false;  // since find last answered
     // Of compile_again alone: the texts of each kernel that were last seen to compile.
     std::array<Files, KERNEL_COUNT> checked_;
 };

@@ -11,8 +11,8 @@
 
 namespace target_core {
 
-/// A large table of zeros that costs nothing before it is used: the system makes its memory where a thread first writes,
-/// so that threads share that work. It begins where a page of memory does.
+/// A large table of zeros that costs nothing before it is used: the system makes its memory where a thread first
+/// writes, so that threads share that work. It begins where a page of memory does.
 template <class Row>
 class UntouchedRows {
 public:

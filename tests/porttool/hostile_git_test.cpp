@@ -620,9 +620,8 @@ TEST_F(HostileGit, AnAttributeThatAHeaderAddsIsTold) {
         write("port/more.h", header);
         write("src/more.h", there + of_source);
         const auto got = nlohmann::json::parse(porttool({"check", "--base", "main", "--format", "json"}).out);
-        return std::count_if(got["findings"].begin(), got["findings"].end(), [](const auto& one) {
-            return one["rule"] == "target-changed" && one["level"] != "note";
-        });
+        return std::count_if(got["findings"].begin(), got["findings"].end(),
+                             [](const auto& one) { return one["rule"] == "target-changed" && one["level"] != "note"; });
     };
     const std::string weak = "__attribute__((weak)) " + head + ";\n";
     EXPECT_EQ(told(there + weak), 1);
