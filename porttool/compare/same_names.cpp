@@ -57,8 +57,15 @@ bool are_covered(const NamesOfEdit& own, const NamesOfEdit& there, const std::se
     });
 }
 
-/// The names among `common` that each of them is given where it is called, call by call.
-std::multiset<std::string> calls_of(const Words& text, const NamesOfEdit& common) {
+bool launches_in_brackets(const Words& text) {
+    for (size_t i = 0; i + 2 < text.size(); ++i)
+        if (text[i] == "<" && text[i + 1] == "<" && text[i + 2] == "<") return true;
+    return false;
+}
+
+/// The names among `common` that each of them is given where it is called, call by call; of launches also those for how
+/// many threads, if asked for.
+std::multiset<std::string> calls_of(const Words& text, const NamesOfEdit& common, bool with_launches) {
     constexpr size_t kLongest = 400;
     std::multiset<std::string> out;
     for (size_t i = 0; i + 1 < text.size(); ++i) {
@@ -70,6 +77,8 @@ std::multiset<std::string> calls_of(const Words& text, const NamesOfEdit& common
                 ++open;
         if (open >= text.size() || text[open] != "(") continue;
         std::string call = std::string(text[i]) + ":";
+        for (size_t k = i + 1; with_launches && k < open; ++k)
+            if (is_word_token(text[k]) && common.contains(std::string(text[k]))) (call += ' ') += text[k];
         int depth = 0;
         for (size_t k = open; k < std::min(text.size(), open + kLongest); ++k) {
             depth += text[k] == "(" ? 1 : text[k] == ")" ? -1 : 0;
@@ -103,9 +112,10 @@ bool bring_the_same_names(const PairTexts& texts) {
     NamesOfEdit common;
     for (const std::string& word : here.came)
         if (there.came.contains(word)) common.insert(word);
+    const bool launch_alike = launches_in_brackets(plain[1]) && launches_in_brackets(plain[3]);
     const auto gained_calls = [&](size_t then) {
-        std::multiset<std::string> out = calls_of(plain[then + 1], common);
-        for (const std::string& call : calls_of(plain[then], common))
+        std::multiset<std::string> out = calls_of(plain[then + 1], common, launch_alike);
+        for (const std::string& call : calls_of(plain[then], common, launch_alike))
             if (const auto known_call = out.find(call); known_call != out.end()) out.erase(known_call);
         return out;
     };

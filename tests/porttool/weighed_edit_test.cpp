@@ -526,6 +526,33 @@ TEST(WeighedEdit, TheSameNamesInTheWaysOfTwoRuntimes) {
                 row("another function", here, replaced(there, "shade_2", "shade_1"), told)});
 }
 
+TEST(WeighedEdit, HowManyThreadsALaunchIsGivenWhereBothRuntimesLaunchAlike) {
+    const BySide<std::string> was = {
+        "void f(float* d_in, float* d_out, int grid, int lanes) {\n  cudaMemset(d_out, 0, grid);\n"
+        "  shade_1<<<grid, lanes>>>(d_in, d_out);\n}\n",
+        "void f(float* d_in, float* d_out, int grid, int lanes) {\n  hipMemset(d_out, 0, grid);\n"
+        "  shade_1<<<grid, lanes>>>(d_in, d_out);\n}\n"};
+    const auto with = [](const std::string& text, const std::string& more) {
+        return replaced(text, "(d_in, d_out);\n}", "(d_in, d_out);\n" + more + "}");
+    };
+    const std::string here =
+                          "  cudaMemcpyAsync(d_in, d_out, 4 * rows, cudaMemcpyDeviceToDevice);\n"
+                          "  shade_2<<<grid, lanes>>>(as_wide(d_in), d_out);\n"
+                          "  shade_3<<<grid, lanes>>>(as_wide(d_in), d_out);\n",
+                      there =
+                          "  hipMemcpyDtoDAsync(d_in, d_out, 4 * rows);\n"
+                          "  shade_2<<<grid, lanes>>>(as_wide(d_in), d_out);\n"
+                          "  shade_3<<<grid, lanes>>>(as_wide(d_in), d_out);\n";
+    const auto row = [&](const std::string& what, const std::string& port, const Rules& rules) {
+        return Weighed{what, was, {with(was.source, here), with(was.target, port)}, rules};
+    };
+    const Rules told = {"port-differs"};
+    expect_all({row("the same", there, {}),
+                row("the first number twice", replaced(there, "shade_2<<<grid, lanes", "shade_2<<<grid, grid"), told),
+                row("the second twice", replaced(there, "shade_3<<<grid, lanes", "shade_3<<<lanes, lanes"), told),
+                row("exchanged", replaced(there, "shade_3<<<grid, lanes", "shade_3<<<lanes, grid"), told)});
+}
+
 TEST(WeighedEdit, WhatIsPrintedOrTimed) {
     const BySide<std::string> same = {"void f(float* p, float d) { p[0] = d * 2; p[1] = d; }",
                                       "void f(float* p, float d) { p[0] = d * 2; p[1] = d; }"};
