@@ -150,8 +150,7 @@ private:
 std::set<std::string> runtimes_of(const Words& text) {
     std::set<std::string> out;
     for (size_t i = 0; i + 1 < text.size(); ++i) {
-        const bool launches = text[i] == "<" && text[i + 1] == "<" && i + 2 < text.size() && text[i + 2] == "<";
-        if (launches) out.emplace("cu");
+        if (opens_launch(text, i)) out.emplace("cu");
         if (text[i + 1] == "(" && is_runtime_call(text[i])) out.emplace(text[i].substr(0, 2));
     }
     return out;

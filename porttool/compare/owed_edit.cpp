@@ -141,8 +141,8 @@ bool is_likely_owed(LaidEdit& laid, const OwedBy& by) {
     constexpr double kPossible = -1.0;  // of what may be a slip, and of what is never silent
     const double weight = weight_of_evidence(laid);
     if (weight >= kEven) return true;
-    if (by.is_of_own_words()) return false;
-    return (!is_work && by.are_namesakes()) || weight >= (is_work ? kLikely : kPossible);
+    const bool may_be = weight >= (is_work ? kLikely : kPossible) || (!is_work && by.are_namesakes());
+    return may_be && !by.is_of_own_words();
 }
 
 }  // namespace porttool

@@ -80,10 +80,14 @@ bool is_runtime_call(std::string_view name) {
     return false;
 }
 
+bool opens_launch(const Words& text, size_t i) {
+    return i + 2 < text.size() && text[i] == "<" && text[i + 1] == "<" && text[i + 2] == "<";
+}
+
 bool drives_device(const Words& text) {
     for (size_t i = 0; i + 2 < text.size(); ++i) {
         if (text[i + 1] == "(" && is_runtime_call(text[i])) return true;
-        if (text[i] == "<" && text[i + 1] == "<" && text[i + 2] == "<") return true;
+        if (opens_launch(text, i)) return true;
         const bool is_member = text[i] == "." || text[i] == "->";
         if (is_member && (text[i + 1] == "submit" || text[i + 1] == "parallel_for")) return true;
         if (text[i] == "pragma" && text[i + 1] == "omp" && text[i + 2] == "target") return true;

@@ -31,6 +31,9 @@ bool is_runtime_call(std::string_view name);
 /// `HIP_CHECK`, `checkCudaErrors`, `CUDA_SAFE_CALL`: looks at such a status, as its name says.
 bool says_that_it_checks(std::string_view name);
 
+/// True for the `< < <` of a launch at that place.
+bool opens_launch(const Words& text, size_t i);
+
 /// True for a text of the host: it calls a runtime, launches a kernel or hands one to a queue.
 bool drives_device(const Words& text);
 

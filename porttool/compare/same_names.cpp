@@ -58,8 +58,8 @@ bool are_covered(const NamesOfEdit& own, const NamesOfEdit& there, const std::se
 }
 
 bool launches_in_brackets(const Words& text) {
-    for (size_t i = 0; i + 2 < text.size(); ++i)
-        if (text[i] == "<" && text[i + 1] == "<" && text[i + 2] == "<") return true;
+    for (size_t i = 0; i < text.size(); ++i)
+        if (opens_launch(text, i)) return true;
     return false;
 }
 

@@ -144,14 +144,16 @@ void TwoSidedWeight::weigh_what_is_left(const JudgedPair& pair, const PairCompar
     };
     const LoneTexts of_source{texts.source_before, texts.source_now, texts.target_before};
     LaidEdit laid(of_source, dialect_);
-    const bool is_no_slip = words_edited(texts.source_before, texts.source_now) >= kNoSlip &&
-                            words_edited(texts.target_before, texts.target_now) >= kNoSlip;
+    const auto is_no_slip = [&] {
+        return words_edited(texts.source_before, texts.source_now) >= kNoSlip &&
+               words_edited(texts.target_before, texts.target_now) >= kNoSlip;
+    };
     const size_t left = found.left.source + found.left.target;
     if (found.left.source == 0 && found.left.target >= kMore)
         weaken(pair, finding, Level::Warning, "the port did what the source did, and more");
-    else if (left >= kLeast && is_most(Side::Source) && is_most(Side::Target) && is_no_slip)
+    else if (left >= kLeast && is_most(Side::Source) && is_most(Side::Target) && is_no_slip())
         doubt(pair, finding, "hardly anything of one edit has its like in the other");
-    else if (left >= kLeast && std::min(found.left.source, found.left.target) >= kSeveral && is_no_slip)
+    else if (left >= kLeast && std::min(found.left.source, found.left.target) >= kSeveral && is_no_slip())
         weaken(pair, finding, Level::Warning, "both did more of their own than a slip leaves");
     else if (!own_names_.are_one(pair.unit) && !are_mostly_alike(laid))
         weaken(pair, finding, Level::Warning, "the two texts say too little alike to tell whether the edits are one");

@@ -36,11 +36,11 @@ bool WordsOfPorts::are_their_own() {
             if (own_names_.are_one(units)) namesakes.push_back(units);
         }
     }
-    const size_t step = std::max<size_t>(1, namesakes.size() / kSample);
-    size_t read = 0, alike = 0;
-    for (size_t i = 0; i < namesakes.size() && read < kSample; i += step, ++read) {
-        const Words source = without_prelude(namesakes[i].source->text.words()),
-                    target = without_prelude(namesakes[i].target->text.words());
+    const size_t read = std::min(namesakes.size(), kSample);
+    size_t alike = 0;
+    for (size_t i = 0; i < read; ++i) {
+        const auto& [first, second] = namesakes[i * namesakes.size() / read];
+        const Words source = without_prelude(first->text.words()), target = without_prelude(second->text.words());
         const LoneTexts texts{source, source, target};
         LaidEdit laid(texts, dialect_);
         alike += are_mostly_alike(laid) ? 1 : 0;
