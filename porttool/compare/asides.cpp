@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "porttool/normal/statements.h"
-#include "porttool/text/letters.h"
+#include "porttool/text/name_words.h"
 
 namespace porttool {
 namespace {
@@ -55,18 +55,6 @@ bool names_one_of(const std::array<std::string_view, N>& parts, std::string_view
     const std::string name = folded(word);
     return std::any_of(parts.begin(), parts.end(),
                        [&](std::string_view part) { return name.find(part) != std::string::npos; });
-}
-
-/// The words of a name, in small letters: `vfprintf`, `log` and `error` of `log_Error`.
-std::vector<std::string> words_of_name(std::string_view name) {
-    std::vector<std::string> out(1);
-    for (size_t i = 0; i < name.size(); ++i) {
-        const char small = small_letter(name[i]);
-        const bool starts = small != name[i] && i > 0 && small_letter(name[i - 1]) == name[i - 1];
-        if ((name[i] == '_' || starts) && !out.back().empty()) out.emplace_back();
-        if (name[i] != '_') out.back() += small;
-    }
-    return out;
 }
 
 /// How sure a name says that something is told to people.

@@ -11,6 +11,7 @@
 #include "porttool/language/words.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/normal_form.h"
+#include "porttool/text/name_words.h"
 
 namespace porttool {
 namespace {
@@ -18,24 +19,6 @@ namespace {
 bool is_float(std::string_view number) { return number.ends_with('f') && !number.starts_with("0x"); }
 bool is_unmarked_real(std::string_view number) {
     return !number.starts_with("0x") && number.find_first_of(".e") != std::string_view::npos && !is_float(number);
-}
-
-/// The words that a name, or an id, is made of, with what stands between them: `get`, `Cuda`, `_`, `FFT` and `Plan` of
-/// `getCuda_FFTPlan`.
-std::vector<std::string> parts_of_name(std::string_view name) {
-    const auto is_capital = [&](size_t i) { return i < name.size() && name[i] >= 'A' && name[i] <= 'Z'; };
-    const auto is_small = [&](size_t i) { return i < name.size() && name[i] >= 'a' && name[i] <= 'z'; };
-    std::vector<std::string> out;
-    bool goes_on = false;
-    for (size_t i = 0; i < name.size(); ++i) {
-        const bool is_letter = is_word_token(name.substr(i, 1)) && name[i] != '_';
-        const bool is_part = is_letter || is_number_token(name.substr(i, 1));
-        const bool starts = is_capital(i) && i > 0 && (is_small(i - 1) || is_small(i + 1));
-        if (!goes_on || !is_part || starts) out.emplace_back();
-        out.back() += name[i];
-        goes_on = is_part;
-    }
-    return out;
 }
 
 /// A text with one word for a type of several, `unsigned` for `unsigned int`, and where each word stands.
@@ -184,13 +167,13 @@ private:
 
     /// The one part in which two names differ, on each side.
     static std::pair<std::string, std::string> other_part(const std::string& a, const std::string& b) {
-        const std::vector<std::string> here = parts_of_name(a), there = parts_of_name(b);
+        const std::vector<std::string_view> here = name_pieces(a), there = name_pieces(b);
         if (here.size() != there.size() || here.size() < 2) return {};
         std::pair<std::string, std::string> out;
         for (size_t i = 0; i < here.size(); ++i) {
             if (here[i] == there[i]) continue;
             if (!out.first.empty() || here[i] == "_" || there[i] == "_") return {};
-            out = {here[i], there[i]};
+            out = {std::string(here[i]), std::string(there[i])};
         }
         return out;
     }
@@ -199,8 +182,9 @@ private:
     void learn_parts_of_ids(const BySide<std::string_view>& ids) {
         constexpr size_t kLeast = 3;  // letters
         const auto words_of = [](std::string_view id) {
-            std::vector<std::string> parts = parts_of_name(id);
-            std::erase_if(parts, [](const std::string& part) { return part == "_" || !is_word_token(part); });
+            std::vector<std::string> parts;
+            for (const std::string_view piece : name_pieces(id))
+                if (piece != "_" && is_word_token(piece)) parts.emplace_back(piece);
             return parts;
         };
         const std::vector<std::string> source = words_of(ids.source), target = words_of(ids.target);
@@ -226,9 +210,9 @@ private:
     std::string new_counterpart(const std::string& word) const {
         if (parts_.empty() || source_words_.contains(word) || target_words_.contains(word)) return {};
         std::string there;
-        for (const std::string& part : parts_of_name(word)) {
-            const auto found = parts_.find(part);
-            there += found == parts_.end() ? part : found->second;
+        for (const std::string_view piece : name_pieces(word)) {
+            const auto found = parts_.find(std::string(piece));
+            there += found == parts_.end() ? piece : found->second;
         }
         const bool is_new = there != word && !target_words_.contains(there) && !source_words_.contains(there);
         return is_new && new_words_.contains(there) ? there : std::string();

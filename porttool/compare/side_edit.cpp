@@ -13,32 +13,12 @@
 #include "porttool/language/words.h"
 #include "porttool/normal/diff.h"
 #include "porttool/normal/statements.h"
+#include "porttool/text/name_words.h"
 
 namespace porttool {
 namespace {
 
 using Text = std::vector<std::string>;
-
-/// The words that a name is made of, in lower case: `ggmlOpAdd`, `GGML_OP_ADD` and `ggml_op_add` have the same.
-std::set<std::string> parts_of(std::string_view name) {
-    std::set<std::string> out;
-    std::string part;
-    const auto end_part = [&] {
-        if (!part.empty()) out.insert(part);
-        part.clear();
-    };
-    for (size_t i = 0; i < name.size(); ++i) {
-        const auto c = static_cast<unsigned char>(name[i]);
-        const auto is_lower = [&](size_t at) {
-            return at < name.size() && std::islower(static_cast<unsigned char>(name[at])) != 0;
-        };
-        const bool starts = std::isupper(c) != 0 && i > 0 && (is_lower(i - 1) || is_lower(i + 1));
-        if (name[i] == '_' || starts) end_part();
-        if (name[i] != '_') part += static_cast<char>(std::tolower(c));
-    }
-    end_part();
-    return out;
-}
 
 bool is_counted(const Text& text, size_t i, size_t end_of_head) {
     if (is_word_token(text[i])) return !word_is(text[i], kDropped | kPromise | kHeadPromise) && !is_type_word(text[i]);
@@ -74,6 +54,10 @@ bool brings_part_of(const SideEdit& other, const SideEdit& edit) {
 }
 
 bool are_like(std::string_view a, std::string_view b) {
+    const auto parts_of = [](std::string_view name) {
+        const std::vector<std::string> words = words_of_name(name);
+        return std::set<std::string>(words.begin(), words.end());
+    };
     const std::set<std::string> x = parts_of(a), y = parts_of(b);
     size_t shared = 0;
     for (const std::string& part : x) shared += y.contains(part) ? 1 : 0;

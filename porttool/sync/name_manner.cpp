@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "porttool/text/letters.h"
+#include "porttool/text/name_words.h"
 
 namespace porttool {
 namespace {
@@ -14,23 +15,6 @@ namespace {
 /// `sheenWeight`, `SheenWeight`, `sheen_weight`, `SHEEN_WEIGHT`. One word in small letters may be the first or the
 /// third.
 enum class Manner : char { Camel = 'c', Pascal = 'p', Snake = 's', Capitals = 'C', Small = 'w', Other = '?' };
-
-/// The words of a name in small letters.
-std::vector<std::string> parts_of(const std::string& name) {
-    std::vector<std::string> out;
-    bool starts = true;
-    for (size_t i = 0; i < name.size(); ++i) {
-        if (name[i] == '_') {
-            starts = true;
-            continue;
-        }
-        if (i > 0 && is_capital_letter(name[i]) && is_small_letter(name[i - 1])) starts = true;
-        if (starts) out.emplace_back();
-        starts = false;
-        out.back() += small_letter(name[i]);
-    }
-    return out;
-}
 
 std::string written_as(const std::vector<std::string>& parts, Manner manner) {
     std::string out;
@@ -45,7 +29,7 @@ std::string written_as(const std::vector<std::string>& parts, Manner manner) {
 }
 
 Manner manner_of(const std::string& name) {
-    const std::vector<std::string> parts = parts_of(name);
+    const std::vector<std::string> parts = words_of_name(name);
     if (parts.size() == 1 && written_as(parts, Manner::Snake) == name) return Manner::Small;
     for (const Manner manner : {Manner::Pascal, Manner::Camel, Manner::Snake, Manner::Capitals})
         if (written_as(parts, manner) == name) return manner;
@@ -63,7 +47,7 @@ struct NameRule {
 
 /// True if both end with the same words, of which there are some; then the rule is filled in.
 bool read_rule(const std::string& source, const std::string& target, NameRule& rule) {
-    const std::vector<std::string> here = parts_of(source), there = parts_of(target);
+    const std::vector<std::string> here = words_of_name(source), there = words_of_name(target);
     size_t same = 0;
     while (same < std::min(here.size(), there.size()) && here[here.size() - 1 - same] == there[there.size() - 1 - same])
         ++same;
@@ -75,7 +59,7 @@ bool read_rule(const std::string& source, const std::string& target, NameRule& r
 }
 
 std::string by_rule(const std::string& name, const NameRule& rule, Manner manner) {
-    std::vector<std::string> parts = parts_of(name);
+    std::vector<std::string> parts = words_of_name(name);
     if (parts.size() <= rule.lost.size() || !std::equal(rule.lost.begin(), rule.lost.end(), parts.begin())) return name;
     parts.erase(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(rule.lost.size()));
     parts.insert(parts.begin(), rule.gained.begin(), rule.gained.end());
