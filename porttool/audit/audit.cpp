@@ -10,6 +10,7 @@
 #include "porttool/audit/certainty.h"
 #include "porttool/audit/essence.h"
 #include "porttool/audit/likely_partners.h"
+#include "porttool/audit/lone_items.h"
 #include "porttool/audit/past_walk.h"
 #include "porttool/audit/port_patch.h"
 #include "porttool/audit/stray_edits.h"
@@ -142,7 +143,7 @@ public:
         out.items = ranked(std::move(found), walked, today_, habits, alike_);
         if (choice_.since.empty()) add_todays(items_of_today(differing_, today_, habits), out.items);
         if (choice_.since.empty())
-            for (AuditItem& item : items_of_odd_members(lineages, today_)) out.items.push_back(std::move(item));
+            for (AuditItem& item : items_of_lone_texts(lineages, today_)) out.items.push_back(std::move(item));
         std::stable_sort(out.items.begin(), out.items.end(),
                          [](const AuditItem& a, const AuditItem& b) { return a.certainty > b.certainty; });
         out.found = out.items.size();

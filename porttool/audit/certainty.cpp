@@ -9,7 +9,6 @@
 
 #include "porttool/audit/edit_class.h"
 #include "porttool/audit/message.h"
-#include "porttool/audit/odd_members.h"
 #include "porttool/language/language.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/normal/diff.h"
@@ -479,14 +478,6 @@ std::string summary_of_today(const MissingPlace& place) {
     return "the source has " + quoted(place.now) + ", the target " + quoted(place.there);
 }
 
-/// Of those that were read one by one all were real; they were few.
-constexpr double kOddMember = 0.6;
-
-std::string summary_of_odd(const OddMember& odd, Side side) {
-    return "the " + std::string(side == Side::Source ? "source" : "target") + " reads `" + odd.group + "." +
-           odd.member + "` among members of `" + odd.wanted + "`, which has a `" + odd.member + "`, too";
-}
-
 std::string remedy_for_pair(const TodaysPair& pair, const TodaysPairs& today) {
     return std::string(today.snapshot.project.has_map ? "" : "porttool init, then ") + "porttool ignore '" +
            pair.id.source + "=" + pair.id.target + "' --reason TEXT";
@@ -595,36 +586,6 @@ std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differin
         item.places = one.places;
         out.push_back(std::move(item));
     }
-    return out;
-}
-
-std::vector<AuditItem> items_of_odd_members(const Lineages& lineages, const TodaysPairs& today) {
-    std::map<std::string, BySide<std::string>> pair_of;  // by id of either side
-    for (const TodaysPair& pair : today.pairs)
-        for (const Side side : kBothSides)
-            if (!pair.stray) pair_of.try_emplace(pair.id[side], pair.id);
-    const OddMembersOfSides all(lineages, today.snapshot.states);
-    std::vector<AuditItem> out;
-    for (const Side side : kBothSides)
-        for (const auto& [id, unit] : today.snapshot.states[side]) {
-            std::vector<OddMember> found = all.of(id);
-            const auto pair = pair_of.find(id);
-            if (pair != pair_of.end())
-                for (const OddMember& there : all.of(pair->second[other(side)]))
-                    std::erase(found, there);  // both sides say so
-            for (const OddMember& odd : found) {
-                AuditItem item;
-                item.id[side] = id;
-                if (pair != pair_of.end()) item.id = pair->second;
-                for (const Side one : kBothSides)
-                    if (!item.id[one].empty()) item.line[one] = today.snapshot.states[one].at(item.id[one]).start_line;
-                item.edited = side;
-                item.summary = summary_of_odd(odd, side);
-                item.certainty = kOddMember;
-                item.remedy = "read the member of `" + odd.wanted + "`, or leave it";
-                out.push_back(std::move(item));
-            }
-        }
     return out;
 }
 

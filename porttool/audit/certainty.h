@@ -37,9 +37,6 @@ Habits habits_of(const std::vector<FoundEdit>& found, const std::vector<Differin
 std::vector<AuditItem> items_of_today(const std::vector<DifferingPair>& differing, const TodaysPairs& today,
                                       const Habits& habits);
 
-/// Items for units of either side, paired or not, in which a member of another group stands among those of one.
-std::vector<AuditItem> items_of_odd_members(const Lineages& lineages, const TodaysPairs& today);
-
 /// Takes in what running both sides has shown.
 void take_witness(const DifftestPair& ran, AuditItem& item);
 

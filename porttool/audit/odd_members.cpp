@@ -86,6 +86,12 @@ std::set<std::string> groups_it_is_about(const std::vector<WrittenStatement>& st
     return out;
 }
 
+/// True for a unit whose name has that of a group in it: `BlenderWoodTexture_Eval` and `blenderWood`.
+bool goes_by(const std::string& unit, const std::string& group) {
+    constexpr size_t kTelling = 4;
+    return group.size() >= kTelling && folded(unit).find(folded(group)) != std::string::npos;
+}
+
 }  // namespace
 
 OddMembersOfSides::OddMembersOfSides(const Lineages& lineages, const States& states) : lineages_(lineages) {
@@ -95,14 +101,15 @@ OddMembersOfSides::OddMembersOfSides(const Lineages& lineages, const States& sta
                 const std::vector<WrittenStatement>& today = lineage->second.today();
                 for (const Way& way : ways_of(today, 0, today.size())) members_[way.group].insert(way.member);
                 about_[unit.file].merge(groups_it_is_about(today));
+                for (const Way& way : ways_of(today, 0, today.size()))
+                    if (goes_by(split_id(id).second, way.group)) named_[unit.file].insert(way.group);
             }
 }
 
-std::vector<OddMember> OddMembersOfSides::of(const std::string& id) const {
-    std::vector<OddMember> out;
+void OddMembersOfSides::add_odd_in_arms(const std::string& id, std::vector<OddMember>& out) const {
     const auto lineage = lineages_.find(id);
     const auto about = about_.find(split_id(id).first);
-    if (lineage == lineages_.end() || about == about_.end()) return out;
+    if (lineage == lineages_.end() || about == about_.end()) return;
     const std::vector<WrittenStatement>& today = lineage->second.today();
     for (const auto& [first, end] : arms_of(today)) {
         const std::vector<Way> ways = ways_of(today, first, end);
@@ -127,6 +134,50 @@ std::vector<OddMember> OddMembersOfSides::of(const std::string& id) const {
             }
         }
     }
+}
+
+bool OddMembersOfSides::knows_all(const std::string& group, const std::vector<std::string>& members) const {
+    const auto known = members_.find(group);
+    return known != members_.end() && std::all_of(members.begin(), members.end(),
+                                                  [&](const std::string& one) { return known->second.contains(one); });
+}
+
+void OddMembersOfSides::add_odd_by_name(const std::string& id, std::vector<OddMember>& out) const {
+    const auto lineage = lineages_.find(id);
+    const auto [file, name] = split_id(id);
+    const auto named = named_.find(file);
+    if (lineage == lineages_.end() || named == named_.end()) return;
+    const std::vector<WrittenStatement>& today = lineage->second.today();
+    const std::vector<Way> ways = ways_of(today, 0, today.size());
+    for (const auto& [root, groups] : by_root(ways)) {
+        const std::vector<const Way*>* own = nullptr;
+        size_t count = 0;
+        for (const auto& [group, read] : groups)
+            if (goes_by(name, group)) {
+                own = &read;
+                ++count;
+            }
+        if (count != 1 || members_in(*own) < kAGroup) continue;
+        for (const auto& [group, read] : groups) {
+            if (goes_by(name, group) || !named->second.contains(group) || 2 * members_in(read) > members_in(*own))
+                continue;
+            std::set<std::string> members, of_own;
+            for (const Way* way : read) members.insert(way->member);
+            for (const Way* way : *own) of_own.insert(way->member);
+            const bool reads_both = std::any_of(members.begin(), members.end(),
+                                                [&](const std::string& one) { return of_own.contains(one); });
+            if (reads_both || !knows_all(own->front()->group, {members.begin(), members.end()})) continue;
+            for (const std::string& member : members) out.push_back({group, member, own->front()->group});
+        }
+    }
+}
+
+std::vector<OddMember> OddMembersOfSides::of(const std::string& id) const {
+    std::vector<OddMember> out, by_name;
+    add_odd_in_arms(id, out);
+    add_odd_by_name(id, by_name);
+    for (OddMember& one : by_name)
+        if (std::find(out.begin(), out.end(), one) == out.end()) out.push_back(std::move(one));
     return out;
 }
 

@@ -23,6 +23,8 @@ struct OddMember {
 
 /// What the units of both sides read of groups, and which members stand oddly among those of an arm of a `switch`.
 ///
+/// A unit whose name has a group's in it is about that group, too.
+///
 ///     case kMirror : kr = f ( m . mirror . kr ) ; bump = m . mirror . bump ;
 ///     case kGlass :  kr = f ( m . glass . kr ) ; kt = f ( m . glass . kt ) ; n = m . glass . n ; bump = m . mirror .
 ///     bump ;
@@ -35,9 +37,14 @@ public:
     std::vector<OddMember> of(const std::string& id) const;
 
 private:
+    void add_odd_in_arms(const std::string& id, std::vector<OddMember>& out) const;
+    void add_odd_by_name(const std::string& id, std::vector<OddMember>& out) const;
+    bool knows_all(const std::string& group, const std::vector<std::string>& members) const;
+
     const Lineages& lineages_;
     std::map<std::string, std::set<std::string>> members_;  ///< by group, which is a member itself
     std::map<std::string, std::set<std::string>> about_;    ///< by file the groups that some arm is about
+    std::map<std::string, std::set<std::string>> named_;    ///< by file the groups that some unit goes by the name of
 };
 
 }  // namespace porttool

@@ -1013,6 +1013,59 @@ TEST_F(Audit, AMemberOfAnotherGroupAmongThoseOfOne) {
     EXPECT_EQ(set("m.metal.bump, m.glass.n", "m.glass.bump, m.glass.n"), 0);  // nothing is about metal
 }
 
+// A function that goes by the name of a group is about that group.
+TEST_F(Audit, AMemberOfAnotherGroupInAFunctionThatGoesByTheNameOfOne) {
+    const auto set = [&](const std::string& odd) {
+        write(
+            "gpu/noise.cu",
+            "__device__ float wood_eval(Texture t) { return t.wood.size + t.wood.depth * t.wood.mapping; }\n"
+            "__device__ float clouds_eval(Texture t) {\n    return t.clouds.size * t.clouds.depth + t.clouds.hard * " +
+                odd + ";\n}\n");
+        write("cpu/noise.cpp", "float mapping_of_clouds(Texture t) { return t.clouds.mapping; }\n");
+        git("add -A && git commit -q --amend -m Noise");
+        size_t told = 0;
+        for (const auto& item : items())
+            told += item["summary"] ==
+                            "the source reads `wood.mapping` among members of `clouds`, which has a `mapping`, too"
+                        ? 1
+                        : 0;
+        return told;
+    };
+    EXPECT_EQ(set("t.wood.mapping"), 1);
+    EXPECT_EQ(set("t.clouds.mapping"), 0);
+    EXPECT_EQ(set("t.wood.mapping * t.clouds.mapping"), 0);  // it means both
+    EXPECT_EQ(set("t.metal.mapping"), 0);                    // nothing goes by that name
+}
+
+// What a text says of itself is told of a function with a pair and without, and once of several.
+TEST_F(Audit, WhatOneTextTellsIsNoItemWhereBothSidesMeanIt) {
+    const auto lines = [](const std::string& qualifier, const std::string& name, const std::string& odd) {
+        return qualifier + "float " + name + "(float3 p, float3 q, float far) {\n    float w[3];\n    w[2] = far;\n" +
+               "    return p.x * q.x + " + odd + " * far;\n}\n";
+    };
+    const auto set = [&](const std::string& gpu, const std::string& cpu) {
+        write("gpu/reach.cu", lines("__device__ ", "reach", gpu));
+        write("cpu/reach.cpp", lines("", "reach", cpu));
+        git("add -A && git commit -q --amend -m Reach");
+        std::string told;
+        for (const auto& item : items())
+            if (const std::string summary = item["summary"]; summary.find(" itself") != std::string::npos ||
+                                                             summary.find(" both sides of") != std::string::npos ||
+                                                             summary.find(" elements") != std::string::npos)
+                told += summary + "; ";
+        return told;
+    };
+    EXPECT_EQ(set("(p.y - q.y)", "(p.y - q.y)"), "");
+    EXPECT_EQ(set("(p.y - p.y)", "(p.y - q.y)"), "the source has `p . y` on both sides of `-`; ");
+    EXPECT_EQ(set("(p.y - q.y)", "(p.y - p.y)"), "the target has `p . y` on both sides of `-`; ");
+    EXPECT_EQ(set("(p.y - p.y)", "(p.y - p.y)"), "");
+    // What nobody can mean is told all the same, once.
+    EXPECT_EQ(set("w[3]", "w[3]"), "the source uses `w [ 3 ]`, and `w` has 3 elements; ");
+    // Of two functions that say the same it is told once.
+    write("gpu/more.cu", lines("__device__ ", "near_reach", "w[3]"));
+    EXPECT_EQ(set("w[3]", "w[2]"), "the source uses `w [ 3 ]`, and `w` has 3 elements; ");
+}
+
 TEST_F(Audit, OfAFunctionWithoutAPairTheOneThatHoldsItsWordsIsAsked) {
     const std::string statements =
         "    float weightOfLight = pickProbability * directPdf;\n    float throughput = albedoOfSurface * cosTheta * "
