@@ -8,6 +8,7 @@
 
 #include "porttool/language/words.h"
 #include "porttool/normal/normal_text.h"
+#include "porttool/sync/bare_declaration.h"
 #include "porttool/sync/device_wait.h"
 #include "porttool/sync/operands.h"
 #include "porttool/sync/port_manner.h"
@@ -98,6 +99,8 @@ private:
         if (stands_by_directive_alone(was_before, was_after))
             return give_up("the port has something else behind that directive");
         std::vector<ClauseAdded> clauses = carried_clauses(first, end);
+        drop_regrouped(clauses);
+        if (clauses.empty()) return;
         if (was_before != kNothing && was_after != kNothing && depends_on_merged(first, end, was_before, was_after))
             return give_up("the port has one of its neighbours within another statement");
         // What the port has of its own between the two neighbours.
@@ -549,6 +552,26 @@ private:
             out.push_back(std::move(one));
         }
         return out;
+    }
+
+    /// Drops what declares names together, or apart, that the source declared otherwise before, and to which the port
+    /// gives a value where it declares them.
+    void drop_regrouped(std::vector<ClauseAdded>& clauses) {
+        const std::vector<std::string>& there = texts_.target.words;
+        const auto is_declared_bare = [&](const std::string& name) {
+            return std::any_of(texts_.target.clauses.begin(), texts_.target.clauses.end(), [&](const Clause& clause) {
+                const auto one = bare_declaration(texts_.target, clause);
+                return one && one->names.contains(name);
+            });
+        };
+        const auto is_regrouped = [&](const ClauseAdded& clause) {
+            const auto fresh = bare_declaration(texts_.now, now(clause.source));
+            return fresh && declares_all(texts_.before, *fresh) &&
+                   std::all_of(fresh->names.begin(), fresh->names.end(), [&](const std::string& name) {
+                       return std::find(there.begin(), there.end(), name) != there.end() && !is_declared_bare(name);
+                   });
+        };
+        if (std::erase_if(clauses, is_regrouped) > 0) ++out_.already;
     }
 
     /// The type of a new field `T n ;` where the port says the types of both its neighbours, which are `T` as well, in

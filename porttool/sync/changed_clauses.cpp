@@ -3,10 +3,13 @@
 #include "porttool/sync/changed_clauses.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <optional>
 #include <set>
+#include <string_view>
 
+#include "porttool/compare/runtime_calls.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/sync/bare_declaration.h"
@@ -58,6 +61,11 @@ private:
         if (std::all_of(hunks.begin(), hunks.end(), [&](const Hunk& hunk) { return is_renaming(hunk); })) return;
         const size_t there = counterpart(was);
         if (only_names_extents(was, is, there)) return;
+        if (only_groups_names(was, is, there) || only_checks_status(was, is) ||
+            (there != kNothing && was != 0 && texts_.across.likeness[was] < kSure && says_now(is, there))) {
+            ++out_.already;
+            return;
+        }
         if (there != kNothing && is_said_more_often(was, there))
             return leave("the source has `" + shown(texts_.now.words, now(is).first, now(is).end) + "` for `" +
                              shown(texts_.before.words, before(was).first, before(was).end) +
@@ -81,8 +89,8 @@ private:
                              "`; the port's condition there is another one",
                          now(is).first, target(there).first);
         if (there == kNothing || texts_.across.likeness[was] < kSure || gives_another(was, there)) {
-            if (there == kNothing && (stands_in_target(is) || only_groups_names(was, is) ||
-                                      named_values_.only_name(texts_.now, now(is), texts_.before, before(was)))) {
+            if (there == kNothing &&
+                (stands_in_target(is) || named_values_.only_name(texts_.now, now(is), texts_.before, before(was)))) {
                 ++out_.already;
                 return;
             }
@@ -116,10 +124,55 @@ private:
         words_.change_words(hunks, was, is, there);
     }
 
-    /// True for names that are declared together, or apart, as they were not before.
-    bool only_groups_names(size_t was, size_t is) const {
+    /// True for names that are declared together, or apart, as they were not before, where the port gives them a value
+    /// at once, or does without.
+    bool only_groups_names(size_t was, size_t is, size_t there) const {
+        if (there != kNothing && bare_declaration(texts_.target, target(there))) return false;
         const auto old = bare_declaration(texts_.before, before(was)), fresh = bare_declaration(texts_.now, now(is));
         return old && fresh && declares_all(texts_.now, *old) && declares_all(texts_.before, *fresh);
+    }
+
+    /// True for a call of a run time whose status is looked at now, as it was not before, or in another way, where the
+    /// port calls no run time that has one.
+    bool only_checks_status(size_t was, size_t is) const {
+        const Clause old = checked_call(texts_.before, before(was)), fresh = checked_call(texts_.now, now(is));
+        const bool differs = old.size() != before(was).size() || fresh.size() != now(is).size();
+        return differs && old.size() > 0 && is_runtime_call(texts_.before.words[old.first]) &&
+               plain_call(texts_.before, old) == plain_call(texts_.now, fresh) &&
+               std::none_of(texts_.target.words.begin(), texts_.target.words.end(),
+                            [](const std::string& word) { return is_runtime_call(word); });
+    }
+
+    /// The call within `CHECK ( call ( a ) ) ;`; else the statement without its end.
+    static Clause checked_call(const AlignedText& text, const Clause& clause) {
+        Clause out = clause;
+        if (clause.opens || clause.closes || clause.size() < 4 || text.words[clause.end - 1] != ";") {
+            out.end = out.first;
+            return out;
+        }
+        --out.end;
+        if (says_that_it_checks(text.words[out.first]) && text.words[out.first + 1] == "(" &&
+            closing_bracket(text.words, out.first + 1, out.end) == out.end - 1)
+            out.first += 2, --out.end;
+        return out;
+    }
+
+    /// A call without casts to `void * *`, which change nothing that it gets.
+    static std::vector<std::string> plain_call(const AlignedText& text, const Clause& clause) {
+        std::vector<std::string> out;
+        constexpr std::array<std::string_view, 5> kCast = {"(", "void", "*", "*", ")"};
+        for (size_t i = clause.first; i < clause.end; ++i)
+            if (i + kCast.size() <= clause.end &&
+                std::equal(kCast.begin(), kCast.end(), text.words.begin() + static_cast<std::ptrdiff_t>(i)))
+                i += kCast.size() - 1;
+            else
+                out.push_back(text.words[i]);
+        return out;
+    }
+
+    /// True for statements that speak to people alone, of which a port without them owes nothing for sure.
+    bool only_speaks(size_t was, size_t is) const {
+        return speaks_to_people(texts_.before, before(was)) && speaks_to_people(texts_.now, now(is));
     }
 
     /// True for a launch that is written in another form, or says how many threads it is for with `dim3 ( n )` or with
@@ -226,7 +279,10 @@ private:
                       shown(texts_.now.words, now(is).first, now(last_is).end) + "`",
                   now(is).first, there);
             out_.left.back().statements = end - i;
-            out_.left.back().is_sure = is_alike;
+            out_.left.back().is_sure =
+                is_alike && !std::all_of(strange_.begin() + static_cast<std::ptrdiff_t>(i),
+                                         strange_.begin() + static_cast<std::ptrdiff_t>(end),
+                                         [&](const auto& one) { return only_speaks(one.first, one.second); });
             i = end;
         }
     }
@@ -283,6 +339,11 @@ private:
             return false;
         const std::vector<CarriedWord> said = carry_old(here, here + 1).words;
         return said.empty() || said.back().text != texts_.target.words[other];
+    }
+
+    /// True if a clause of the target says what the source says now, word for word.
+    bool says_now(size_t is, size_t there) const {
+        return says(target(there).first, target(there).end, carry_new(now(is).first, now(is).end).words);
     }
 
     /// True if the target has a clause like that of the source's new text which stands for none of its old one.

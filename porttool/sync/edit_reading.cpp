@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 
+#include "porttool/compare/asides.h"
 #include "porttool/normal/normal_form.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/sync/directive_regions.h"
@@ -295,6 +296,13 @@ std::vector<std::string> EditReading::texts_of(const std::vector<CarriedWord>& w
     std::vector<std::string> out;
     for (const CarriedWord& word : words) out.push_back(word.text);
     return out;
+}
+
+bool EditReading::speaks_to_people(const AlignedText& text, const Clause& clause) {
+    if (clause.opens || clause.closes) return false;
+    return without_asides(Words(text.words.begin() + static_cast<std::ptrdiff_t>(clause.first),
+                                text.words.begin() + static_cast<std::ptrdiff_t>(clause.end)))
+        .empty();
 }
 
 void EditReading::find_doubtful() {

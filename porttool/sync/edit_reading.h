@@ -62,6 +62,8 @@ public:
     /// The operators of a clause by which it asks, in order: with the same ones a head asks the same way round.
     static std::vector<std::string> comparisons(const AlignedText& text, const Clause& clause);
     static std::vector<std::string> texts_of(const std::vector<CarriedWord>& words);
+    /// True for a statement that prints, logs, asserts or asks a clock.
+    static bool speaks_to_people(const AlignedText& text, const Clause& clause);
 
 protected:
     const EditTexts& texts_;

@@ -211,6 +211,10 @@ void Examples::learn(const AlignedText& source, const AlignedText& target, const
                     (!is_primary(source.words, i, end) || !is_primary(target.words, first, last)))
                     continue;
                 if (changes_number(source.words, i, end, said) || (end - i < said.size() && are_bound(said))) continue;
+                // `threadIdx . x` may be `item . get_local_id ( 0 )`: that is no example of what `v . x` is.
+                if (i > here.first && is_accessor(source.words[i - 1]) && said.size() > end - i &&
+                    said.front() != source.words[i])
+                    continue;
                 if (end == i + 1 && said.size() != 1 && (word_is(source.words[i], kKeyword) || declares(said)))
                     continue;
                 // `const T a` for `Image a`: of what kind a parameter is says nothing of `const`.

@@ -48,7 +48,15 @@ bool is_offloading_directive(const AlignedText& text, const Clause& clause) {
         return clause.first + i < clause.end ? std::string_view(text.words[clause.first + i]) : std::string_view();
     };
     return word(0) == "#" && word(1) == "pragma" && word(2) == "omp" && word(3) == "target" &&
-           is_one_of(word(4), {"teams", "parallel", "simd", "loop"});
+           !is_one_of(word(4), {"data", "update", "enter", "exit"});
+}
+
+/// The head of the block that a directive stands before, with others in between; kNone for none.
+size_t block_governed_by(const AlignedText& text, size_t directive) {
+    size_t c = directive + 1;
+    while (c < text.clauses.size() && text.words[text.clauses[c].first] == "#") ++c;
+    const bool opens = c < text.clauses.size() && text.clauses[c].opens && text.clauses[c].partner != Clause::kNone;
+    return opens ? c : Clause::kNone;
 }
 
 bool has_word_in(const AlignedText& text, const Clause& clause, std::string_view word) {
@@ -84,9 +92,10 @@ std::vector<Launch> launches_in(const AlignedText& text) {
             if (last + 1 < clauses.size() && text.words[clauses[last + 1].first] == ")") ++last;
             out.push_back({c, last, has_word_in(text, clauses[last], "wait")});
             c = last;
-        } else if (is_offloading_directive(text, clauses[c]) && c + 1 < clauses.size() && clauses[c + 1].opens &&
-                   clauses[c + 1].partner != Clause::kNone) {
-            const size_t last = clauses[c + 1].partner;
+        } else if (const size_t block =
+                       is_offloading_directive(text, clauses[c]) ? block_governed_by(text, c) : Clause::kNone;
+                   block != Clause::kNone) {
+            const size_t last = clauses[block].partner;
             out.push_back({c, last, !has_word_in(text, clauses[c], "nowait")});
             c = last;
         }

@@ -7,6 +7,7 @@
 
 #include "porttool/compare/alignment.h"
 #include "porttool/compare/own_parts.h"
+#include "porttool/compare/runtime_calls.h"
 #include "porttool/normal/declaration_words.h"
 #include "porttool/normal/normal_text.h"
 #include "porttool/normal/unit_state.h"
@@ -140,6 +141,19 @@ bool changes_other_values(const Transplant& found, const AlignedText& before, co
         }
         return true;
     });
+}
+
+/// True for a name that looks at what calls of a run time give back, and at nothing else, where the port calls none
+/// that gives a status: it needs no port.
+bool only_looks_at_status(const std::vector<std::string>& words, const std::string& name,
+                          const std::vector<std::string>& there) {
+    if (!says_that_it_checks(name) ||
+        std::any_of(there.begin(), there.end(), [](const std::string& word) { return is_runtime_call(word); }))
+        return false;
+    for (size_t i = 0; i < words.size(); ++i)
+        if (words[i] == name && (i + 2 >= words.size() || words[i + 1] != "(" || !is_runtime_call(words[i + 2])))
+            return false;
+    return true;
 }
 
 /// True if a `#` of a unit begins no directive, since it begins no line.
@@ -379,6 +393,7 @@ void PairCarrier::leave_unported(const PairEdit& edit, const Texts& texts, const
         const auto call = std::find(is.begin(), is.end(), name);
         if (call == is.end() || std::count(is.begin(), is.end(), name) == std::count(was.begin(), was.end(), name))
             continue;
+        if (only_looks_at_status(is, name, texts.there.words)) continue;
         out.left.push_back(left_at(
             edit.from,
             "it uses `" + name + "`, which came without a port; port that, too" + (why.empty() ? why : ": " + why),

@@ -56,6 +56,18 @@ bool has_lost_names(const NormalText& before, const NormalText& now, const Norma
     });
 }
 
+/// Behind which words of another text stand the most that stand before `at`: of as many the first.
+size_t place_behind(const std::vector<std::string>& words, size_t at, const std::vector<std::string>& there) {
+    constexpr size_t kMost = 64;
+    size_t best = 0, longest = 0;
+    for (size_t i = 0; i < there.size(); ++i) {
+        size_t same = 0;
+        while (same < std::min({kMost, at, i}) && there[i - 1 - same] == words[at - 1 - same]) ++same;
+        if (same > longest) longest = same, best = i;
+    }
+    return best;
+}
+
 class Proposer {
 public:
     Proposer(const CheckedProject& checked, WriteSide write, const Disk& disk, const EarlierFiles& earlier,
@@ -164,7 +176,7 @@ private:
         if (before[from].empty())
             return refuse("the text before the edit is not in portmap.base/; restore it from git");
         if (pair.unit[from]->text.size() > kMostWords || pair.unit[to]->text.size() > kMostWords)
-            return refuse("too long to be carried: more than 5000 words");
+            return refuse_at_edit(pair, before[from], from, "too long to be carried: more than 5000 words", out);
         const Proposal blank = out;
         for (const Side side : kBothSides)
             if (const ScannedFile* file = knowledge_.file_of(side, pair.unit[side]->file); file != nullptr)
@@ -175,6 +187,33 @@ private:
         out = blank;
         follower_.note(pair, from);
         return none_is_due();
+    }
+
+    /// Left where the edit begins, and where the other side says most of what stands before that.
+    Proposal refuse_at_edit(const JudgedPair& pair, const NormalText& before, Side from, std::string why,
+                            Proposal& out) {
+        LeftItem item{std::move(why), first_line(pair, Side::Source), first_line(pair, Side::Target)};
+        const Side to = other_side(from);
+        const auto texts = [&](Side side) -> std::pair<const ScannedFile*, const Unit*> {
+            const ScannedFile* file = knowledge_.file_of(side, pair.unit[side]->file);
+            return {file, file == nullptr ? nullptr : knowledge_.unit_of(*file, pair.unit[side]->id)};
+        };
+        const auto [file, unit] = texts(from);
+        const auto [other, port] = texts(to);
+        if (unit != nullptr && port != nullptr) {
+            const UnitWords was = words_of_record(before), is = words_of_unit(*file, *unit),
+                            there = words_of_unit(*other, *port);
+            const auto begins = static_cast<size_t>(
+                std::mismatch(is.words.begin(), is.words.end(), was.words.begin(), was.words.end()).first -
+                is.words.begin());
+            if (begins < is.words.size()) {
+                (from == Side::Source ? item.source_line : item.target_line) = line_at(*file, is, begins);
+                (from == Side::Source ? item.target_line : item.source_line) =
+                    line_at(*other, there, place_behind(is.words, begins, there.words));
+            }
+        }
+        out.left.push_back(std::move(item));
+        return out;
     }
 
     /// Why a unit that was not found may stand where it stood: its file could not be read. "" for none.

@@ -104,6 +104,8 @@ public:
     bool knows_there(const std::string& word) const {
         return known_.in_file(word) || (!lone_.contains(word) && known_.anywhere(word));
     }
+    /// True for a word that the target's file has.
+    bool has_file_there(const std::string& word) const { return known_.in_file(word); }
     /// How the port says that it waits for its device.
     const DeviceWait& wait_there() const { return around_.wait; }
     bool lacks_references() const { return known_.lacks_casts(); }

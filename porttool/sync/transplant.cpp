@@ -37,6 +37,8 @@ public:
         }
         drop_open_blocks();
         leave_old_uses(*this, out_);
+        move_beside_launches();
+        doubt_other_heads();
         // In the order of the source's text, whatever came upon it.
         std::stable_sort(out_.left.begin(), out_.left.end(),
                          [](const LeftOver& a, const LeftOver& b) { return a.source_word < b.source_word; });
@@ -52,6 +54,14 @@ private:
         const Clause& clause = before(was);
         const size_t there = counterpart(was);
         if (!added_.moved.contains(was) && stays_in_port(was)) {
+            ++out_.already;
+            return;
+        }
+        // What is declared together with others now goes where the port declares it so, and is nothing to one that
+        // gives it a value at once.
+        if (const auto old = bare_declaration(texts_.before, clause); there != kNothing && old &&
+                                                                      declares_all(texts_.now, *old) &&
+                                                                      !bare_declaration(texts_.target, target(there))) {
             ++out_.already;
             return;
         }
@@ -79,6 +89,7 @@ private:
                           shown(texts_.target.words, target(there).first, target(there).end) +
                           "` is to go is not certain",
                       place_now(was), target(there).first);
+                out_.left.back().was = was;
                 return;
             }
         }
@@ -217,9 +228,17 @@ private:
                       "`; the port has nothing that clearly stands for it",
                   place, there);
             out_.left.back().statements = end - i;
-            out_.left.back().is_sure = is_alike;
+            out_.left.back().was = lost_[i];
+            out_.left.back().is_sure = is_alike && !only_speaks(i, end);
             i = end;
         }
+    }
+
+    /// True for lost statements that speak to people alone, of which a port without them owes nothing for sure.
+    bool only_speaks(size_t first, size_t end) const {
+        return std::all_of(lost_.begin() + static_cast<std::ptrdiff_t>(first),
+                           lost_.begin() + static_cast<std::ptrdiff_t>(end),
+                           [&](size_t was) { return speaks_to_people(texts_.before, before(was)); });
     }
 
     /// A word of the source's new text near where a clause of its old one stood.
@@ -351,6 +370,77 @@ private:
 
     void leave(std::string message, size_t source_word, size_t target_word) {
         out_.left.push_back({std::move(message), source_word, target_word});
+    }
+
+    /// What host code does stands beside what the port hands to its device, whatever in there resembles it: behind it
+    /// what comes behind a launch in the source, and behind the blocks around it that end in between.
+    void move_beside_launches() {
+        if (!translator_.is_on_host()) return;
+        const std::vector<Launch> here = launches_in(texts_.before), there = launches_in(texts_.target);
+        if (here.empty() || there.empty()) return;
+        for (LeftOver& one : out_.left) one.target_word = beside_launch(one, here, there);
+    }
+
+    size_t beside_launch(const LeftOver& one, const std::vector<Launch>& here, const std::vector<Launch>& there) const {
+        constexpr double kSame = 0.6;
+        const auto clause_at = [](const AlignedText& text, size_t word) {
+            size_t c = 0;
+            while (c + 1 < text.clauses.size() && text.clauses[c].end <= word) ++c;
+            return c;
+        };
+        const size_t is = clause_at(texts_.now, one.source_word), stands = clause_at(texts_.target, one.target_word);
+        const bool is_lost = one.was != kNothing, are_paired = here.size() == there.size();
+        const auto around = std::find_if(there.begin(), there.end(), [&](const Launch& launch) {
+            return (are_paired ? launch.first <= stands : launch.first < stands) && stands < launch.last;
+        });
+        size_t kept = is;
+        while (kept > 0 && origin_[kept] == kNothing) --kept;
+        if (around == there.end() || is == 0 || (!is_lost && origin_[kept] == kNothing)) return one.target_word;
+        const size_t was = is_lost ? one.was : origin_[kept];
+        const bool is_old = is_lost || kept == is;
+        if (is_old && counterpart(was) == stands && texts_.across.likeness[was] >= kSame) return one.target_word;
+        const auto runs = [&](const Launch& launch) { return launch.first <= was && was <= launch.last; };
+        const auto launched = is_old ? std::find_if(here.begin(), here.end(), runs) : here.end();
+        if (launched != here.end()) {  // behind `q . submit (` stands what is started, and how often
+            const size_t head = (are_paired ? there[static_cast<size_t>(launched - here.begin())] : *around).first;
+            return target(texts_.target.words[target(head).first] == "#" ? head : head + 1).first;
+        }
+        // The last launch before it.
+        const auto next = std::find_if(here.begin(), here.end(), [&](const Launch& launch) {
+            return is_old ? was < launch.first : was < launch.last;
+        });
+        if (next == here.begin()) return target(are_paired ? there.front().first : around->first).first;
+        const Launch& last = *std::prev(next);
+        const bool is_nearer_next = next != here.end() && next->first - was < was - last.last;
+        if (!are_paired && is_nearer_next) return target(around->first).first;
+        size_t end = are_paired ? there[static_cast<size_t>(next - here.begin()) - 1].last : around->last;
+        for (size_t c = last.last + 1; c <= was; ++c)
+            if (before(c).closes && before(c).partner < last.first && target(end).inside != Clause::kNone &&
+                target(target(end).inside).partner != Clause::kNone)
+                end = target(target(end).inside).partner;
+        const bool goes_on = end + 1 < texts_.target.clauses.size() && !target(end + 1).closes;
+        return target(goes_on ? end + 1 : end).first;
+    }
+
+    /// A head that shares no parameter with the port's is that of a function which the port has within another: what
+    /// it has of these the port may not owe.
+    void doubt_other_heads() {
+        const auto named = [](const AlignedText& text) {
+            std::set<uint32_t> out;
+            const Clause& head = text.clauses.front();
+            size_t i = head.first;
+            while (i < head.end && text.words[i] != "(") ++i;
+            for (++i; i + 1 < head.end; ++i)
+                if (is_name(text.words[i]) && is_one_of(text.words[i + 1], {",", ")", "[", "="}))
+                    out.insert(text.common[i]);
+            return out;
+        };
+        if (texts_.before.clauses.empty() || texts_.target.clauses.empty() || !before(0).opens) return;
+        const std::set<uint32_t> mine = named(texts_.before), theirs = named(texts_.target);
+        const bool any_shared =
+            std::any_of(mine.begin(), mine.end(), [&](uint32_t name) { return theirs.contains(name); });
+        if (any_shared || mine.empty()) return;
+        for (LeftOver& one : out_.left) one.is_sure &= one.source_word >= now(0).end;
     }
 
     Transplant out_;

@@ -42,6 +42,7 @@ struct LeftOver {
     size_t source_word = 0, target_word = 0;  ///< in the source's new text, in the target; about where
     size_t statements = 1;                    ///< of the source that it tells of
     bool is_sure = true;                      ///< false where the place is that of the nearest neighbour alone
+    size_t was = Alignment::kNone;            ///< the clause of the source's old text that went, where one did
 };
 
 /// What the target's text has to become.

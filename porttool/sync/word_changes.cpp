@@ -14,6 +14,24 @@
 #include "porttool/sync/text_literals.h"
 
 namespace porttool {
+namespace {
+
+/// What is called with a word among its arguments; "" for none.
+std::string callee_around(const std::vector<std::string>& words, size_t i) {
+    int depth = 0;
+    while (i-- > 1) {
+        if (is_one_of(words[i], {";", "{", "}"})) return {};
+        depth += is_one_of(words[i], {")", "]"}) ? 1 : is_one_of(words[i], {"(", "["}) ? -1 : 0;
+        if (depth < 0) return words[i] == "(" && is_name(words[i - 1]) ? words[i - 1] : std::string();
+    }
+    return {};
+}
+
+bool is_real_number(const std::string& number) {
+    return !number.starts_with("0x") && number.find_first_of(".eEf") != std::string::npos;
+}
+
+}  // namespace
 
 void WordChanger::change_words(const std::vector<Hunk>& hunks, size_t was, size_t is, size_t there) {
     const size_t made = out_.replaced.size(), left = out_.left.size(), spelled = respelled_.size();
@@ -166,6 +184,10 @@ void WordChanger::put(const Hunk& hunk, size_t first, size_t end, const CarriedW
         translator_.declares_alone(texts_.target.words[first], texts_.now.words[hunk.now_first]))
         return leave_run(hunk, first, "the port declares `" + texts_.target.words[first] + "` itself");
     if (cuts_type(hunk, first, end)) return leave_run(hunk, first, "the port has another type there");
+    if (takes_whole_numbers(hunk, first))
+        return leave_run(
+            hunk, first,
+            "the port calls `" + callee_around(texts_.target.words, first) + "` there, which takes whole numbers");
     const auto goes_on_at = [](const std::vector<std::string>& words, size_t i) {
         return i < words.size() && is_accessor(words[i]);
     };
@@ -571,7 +593,7 @@ bool WordChanger::is_neutral(const Hunk& hunk) const {
 
 void WordChanger::take_spellings(const std::vector<Hunk>& hunks, size_t first_spelling) {
     for (const Hunk& hunk : hunks) {
-        if (!is_neutral(hunk) || !is_spelled_alike(hunk)) continue;
+        if (!is_neutral(hunk) || !is_spelled_alike(hunk) || is_of_own_scope(hunk)) continue;
         const size_t place = word_of(hunk.first);
         const bool known =
             std::any_of(respelled_.begin() + static_cast<std::ptrdiff_t>(first_spelling), respelled_.end(),
@@ -596,12 +618,37 @@ bool WordChanger::is_spelled_alike(const Hunk& hunk) const {
 void WordChanger::respell(const Hunk& hunk) {
     if (hunk.first == hunk.end) return put_scope(hunk);
     if (!is_spelled_alike(hunk)) return;
+    if (is_of_own_scope(hunk)) {
+        ++out_.already;
+        return;
+    }
     const size_t first = word_of(hunk.first), size = hunk.end - hunk.first;
+    if (takes_whole_numbers(hunk, first))
+        return leave_run(
+            hunk, first,
+            "the port calls `" + callee_around(texts_.target.words, first) + "` there, which takes whole numbers");
     CarriedWords now = carry_new(hunk.now_first, hunk.now_end);
     if (!now.unknown.empty() || marks_otherwise(hunk)) return;
     now.words.clear();
     for (size_t i = hunk.now_first; i < hunk.now_end; ++i) now.words.push_back({written_(i), i});
     respelled_.push_back({first, first + size, std::move(now.words), hunk.now_first, hunk.now_end});
+}
+
+bool WordChanger::is_of_own_scope(const Hunk& hunk) const {
+    const size_t there = word_of(hunk.first);
+    const auto is_scoped = [](const std::vector<std::string>& words, size_t i) {
+        return i > 0 && words[i - 1] == "::";
+    };
+    return hunk.is_word_for_word() && is_name(texts_.before.words[hunk.first]) &&
+           is_scoped(texts_.target.words, there) && !is_scoped(texts_.before.words, hunk.first) &&
+           !translator_.has_file_there(texts_.now.words[hunk.now_first]);
+}
+
+bool WordChanger::takes_whole_numbers(const Hunk& hunk, size_t first) const {
+    if (!hunk.is_word_for_word()) return false;
+    const std::string &was = texts_.before.words[hunk.first], &is = texts_.now.words[hunk.now_first];
+    return is_number_token(was) && is_number_token(is) && !is_real_number(was) && is_real_number(is) &&
+           is_one_of(callee_around(texts_.target.words, first), {"pown", "rootn", "ldexp"});
 }
 
 bool WordChanger::marks_otherwise(const Hunk& hunk) const {

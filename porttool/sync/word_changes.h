@@ -108,6 +108,12 @@ private:
     /// True for an edit of words that have no counterpart on the other side, or mean the same there: scopes, address
     /// spaces, spellings.
     bool is_neutral(const Hunk& hunk) const;
+    /// True for a function that the target takes from a scope of its own, and that the source spells otherwise now as
+    /// nothing there does: `sycl :: sin` stays where `sin` became `sinf`.
+    bool is_of_own_scope(const Hunk& hunk) const;
+    /// True for a whole number that became a real one, where the target gives it to a function that takes whole ones:
+    /// `pown ( x , 2 )` takes no `2.0`, as `pow` does.
+    bool takes_whole_numbers(const Hunk& hunk, size_t first) const;
     /// Beside what changes in a clause a new spelling is due as well: `atan ( y / x )` that became `atan2 ( y , x )`
     /// is no `atan ( y , x )`, though both names mean the same.
     void take_spellings(const std::vector<Hunk>& hunks, size_t first_spelling);
