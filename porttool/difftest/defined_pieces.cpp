@@ -241,10 +241,69 @@ TokenRange table_at(const LexedText& lexed, uint32_t i) {
     return {};
 }
 
+/// The macros of a file by which tables begin and end: `BEGIN(float, row, 3) 1, 2, 3 END()` where those stand for
+/// `static const float row[3] = {` and `};`.
+class TableMacros {
+public:
+    explicit TableMacros(const LexedText& lexed) : lexed_(lexed) {
+        for (const Directive& directive : lexed.directives)
+            if (directive.kind == DirectiveKind::Define && directive.end_token > directive.first_token + kLeast)
+                read({directive.first_token, directive.end_token});
+    }
+
+    /// The whole of the table that begins there, and the token that is its name; empty for others.
+    std::pair<TokenRange, uint32_t> table_at(uint32_t i) const {
+        const auto count = static_cast<uint32_t>(lexed_.tokens.size());
+        const auto begins = begins_.find(lexed_.view(i));
+        if (begins == begins_.end() || i + 1 >= count || lexed_.view(i + 1) != "(") return {};
+        uint32_t argument = 0, name = 0, at = i + 2;
+        for (; at < count && lexed_.view(at) != ")"; ++at) {
+            if (lexed_.view(at) == "(") return {};
+            if (lexed_.view(at) == ",") ++argument;
+            if (argument == begins->second && lexed_.tokens[at].kind == TokenKind::Identifier) name = at;
+        }
+        for (; name != 0 && at < count && !begins_.contains(lexed_.view(at)); ++at) {
+            if (!ends_.contains(lexed_.view(at)) || (lexed_.tokens[at].flags & kInDirective) != 0) continue;
+            const bool calls = at + 2 < count && lexed_.view(at + 1) == "(" && lexed_.view(at + 2) == ")";
+            return {{i, calls ? at + 3 : at + 1}, name};
+        }
+        return {};
+    }
+
+private:
+    static constexpr uint32_t kLeast = 3;  ///< # define NAME and something
+
+    void read(TokenRange macro) {
+        const std::string_view name = lexed_.view(macro.first + 2);
+        const uint32_t open = macro.first + 3;
+        uint32_t body = open;
+        std::vector<std::string_view> parameters;
+        if (lexed_.view(open) == "(") {
+            for (; body < macro.end && lexed_.view(body) != ")"; ++body)
+                if (lexed_.tokens[body].kind == TokenKind::Identifier) parameters.push_back(lexed_.view(body));
+            ++body;
+        }
+        if (body < macro.end && lexed_.view(body) == "}") ends_.insert(name);
+        const bool opens =
+            macro.end > body + 2 && lexed_.view(macro.end - 1) == "{" && lexed_.view(macro.end - 2) == "=";
+        for (uint32_t i = body + 1; opens && i < macro.end; ++i) {
+            if (lexed_.view(i) != "[") continue;
+            const auto which = std::find(parameters.begin(), parameters.end(), lexed_.view(i - 1));
+            if (which != parameters.end()) begins_.emplace(name, static_cast<uint32_t>(which - parameters.begin()));
+            return;
+        }
+    }
+
+    const LexedText& lexed_;
+    std::map<std::string_view, uint32_t> begins_;  ///< with the place of the parameter that names the table
+    std::set<std::string_view> ends_;
+};
+
 /// Goes through a file and cuts out what it defines.
 class PieceCutter {
 public:
-    explicit PieceCutter(const ScannedFile& file) : file_(file), lexed_(file.lexed), conditions_(file) {}
+    explicit PieceCutter(const ScannedFile& file)
+        : file_(file), lexed_(file.lexed), conditions_(file), table_macros_(file.lexed) {}
 
     std::vector<Definition> run() {
         cut_units();
@@ -332,6 +391,12 @@ private:
                 i = table.end - 1;
                 continue;
             }
+            if (const auto [table, name] = table_macros_.table_at(i); !table.empty()) {
+                if (++tables_ <= kMostTables && !is_written_to(file_, name))
+                    add(Definition::Kind::Constant, nullptr, table, lexed_.view(name));
+                i = table.end - 1;
+                continue;
+            }
             if (word != "typedef" && word != "using") continue;
             uint32_t end = i;
             while (end < count && lexed_.view(end) != ";") ++end;
@@ -376,6 +441,7 @@ private:
     const ScannedFile& file_;
     const LexedText& lexed_;
     const Conditions conditions_;
+    const TableMacros table_macros_;
     std::vector<Definition> pieces_;
     std::vector<TokenRange> taken_;  ///< by units
     std::set<std::string, std::less<>> names_;

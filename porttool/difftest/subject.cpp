@@ -153,8 +153,9 @@ Subject subject_of(const Definition& function, const Definitions& definitions, c
         parameter.elements = kGuessedElements;
     }
     const CppManner manner = manner_of(function, definitions, fields);
-    for (const Piece& piece : out.closure.pieces)
-        if (out.reason.empty() && piece.definition->conditions.empty() && !closes(cpp_text(piece, manner)))
+    for (const Piece& piece : out.closure.pieces)  // a macro may open what another one closes
+        if (out.reason.empty() && piece.definition->kind != Definition::Kind::Macro &&
+            piece.definition->conditions.empty() && !closes(cpp_text(piece, manner)))
             out.reason = "does not compile as C++: the braces of " + piece.definition->name + " do not close";
     return out;
 }

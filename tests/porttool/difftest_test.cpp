@@ -492,6 +492,12 @@ static const int kDays[] = {31, 28, 31, 30};
 static float up(float x) { return x + 1.0f; }
 static float down(float x) { return x - 1.0f; }
 static float (*steps[2])(float x) = {up, down};
+#define ROW_BEGIN(type, name, size) static const type name[size] = {
+#define ROW_END() };
+ROW_BEGIN(int, kHours, 3)
+    7, 9,
+    24
+ROW_END()
 template <class T> T half_way(T x);
 template <> inline float half_way<float>(float x) { return x / 2; }
 template <class T> struct Two { using value_type = T; static constexpr int n = 2; value_type x, y; };
@@ -502,6 +508,7 @@ TEST_F(Difftest, ReadsWhatStandsAroundFunctions) {
 float four() { return 4.0f; }
 float squared(float x) { return SQUARE(x); }
 int days(int month) { return kDays[month]; }
+int hours(int day) { return day >= 0 && day < 3 ? kHours[day] : 0; }
 float stepped(int which, float x) { return which >= 0 && which < 2 ? steps[which](x) : x; }
 float last(float row[COUNT], float scale) { return row[COUNT - 1] * scale; }
 template <class T> T lowest_bit(T x) { return x & (x >> 1); }
@@ -511,13 +518,28 @@ Row spare;
     std::string other = own;
     other.replace(other.find("4.0f"), 4, "4.5f");
     const nlohmann::json pairs = run_on("a.cu", kAround + own, "b.h", kAround + other, {"--inputs", "1000"});
-    for (const char* name : {"three", "squared", "days", "last", "lowest_bit", "cross", "half_way", "stepped"})
+    for (const char* name : {"three", "squared", "days", "hours", "last", "lowest_bit", "cross", "half_way", "stepped"})
         EXPECT_EQ(pair_of(pairs, name)["state"], "same") << pair_of(pairs, name).dump(1);
     // Behind the table stands what the compiler put there: no answer of the function's.
     EXPECT_LT(pair_of(pairs, "days")["inputs"].get<int>(), 500);
     const nlohmann::json four = pair_of(pairs, "four");
     EXPECT_EQ(four["state"], "differs") << "without any input";
     EXPECT_EQ(four["counterexample"]["target"].get<double>(), 4.5);
+}
+
+TEST_F(Difftest, WidensHalvesAndTakesTheGreaterOfThem) {
+    const nlohmann::json pairs = run_on("a.cu", R"(__device__ float widened(half x) { return __half2float(x) * 2.0f; }
+__device__ half greater(half a, half b) { return fmax(a, b); }
+__device__ half lesser(half a, half b) { return fmin(a, b); }
+)",
+                                        "b.cl", R"(float widened(half x) { return (float)x * 2.0f; }
+half greater(half a, half b) { return a > b ? a : b; }
+half lesser(half a, half b) { return a > b ? a : b; }
+)",
+                                        {"--inputs", "500"});
+    EXPECT_EQ(pair_of(pairs, "widened")["state"], "same") << pairs.dump(1);
+    EXPECT_EQ(pair_of(pairs, "greater")["state"], "same") << pairs.dump(1);
+    EXPECT_EQ(pair_of(pairs, "lesser")["state"], "differs") << pairs.dump(1);
 }
 
 TEST_F(Difftest, RunsWhatNeedsNoObjectAndWhatStandsUnderMacros) {

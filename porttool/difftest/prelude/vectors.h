@@ -546,6 +546,10 @@ PORTTOOL_CONVERT(__uint2float_rn, float, x)
 PORTTOOL_CONVERT(__half2float, float, x)
 PORTTOOL_CONVERT(__float2half, _Float16, x)
 #undef PORTTOOL_CONVERT
+/// A half is no Number to every compiler.
+constexpr float __half2float(_Float16 x) { return x; }
+constexpr _Float16 fmax(_Float16 a, _Float16 b) { return b != b || a > b ? a : b; }
+constexpr _Float16 fmin(_Float16 a, _Float16 b) { return b != b || a < b ? a : b; }
 #define PORTTOOL_CONVERT_VECTORS(T, name)                       \
     template <class A>                                          \
     constexpr vec<T, 2> convert_##name##2(const vec<A, 2>& v) { \
