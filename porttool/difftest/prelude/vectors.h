@@ -19,7 +19,7 @@
 namespace porttool_prelude {
 
 template <class T>
-concept Number = std::is_arithmetic_v<T>;
+concept Number = std::is_arithmetic_v<T> || std::is_same_v<T, _Float16>;  // not every library counts halves
 
 /// What a vector of A and a lone B make: `v * 2.0` stays a vector of floats.
 template <class A, class B>
@@ -546,8 +546,6 @@ PORTTOOL_CONVERT(__uint2float_rn, float, x)
 PORTTOOL_CONVERT(__half2float, float, x)
 PORTTOOL_CONVERT(__float2half, _Float16, x)
 #undef PORTTOOL_CONVERT
-/// A half is no Number to every compiler.
-constexpr float __half2float(_Float16 x) { return x; }
 constexpr _Float16 fmax(_Float16 a, _Float16 b) { return b != b || a > b ? a : b; }
 constexpr _Float16 fmin(_Float16 a, _Float16 b) { return b != b || a < b ? a : b; }
 #define PORTTOOL_CONVERT_VECTORS(T, name)                       \
