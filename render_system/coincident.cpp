@@ -68,6 +68,8 @@ void CoincidentSurfaces::make_entries(std::span<const PlacedMesh> scene, const s
         std::sort(lower.begin(), lower.end());
         lower.erase(std::unique(lower.begin(), lower.end()), lower.end());
     }
+    size_t pairs = 0;
+    for (const Lower& entry : all) pairs += entry.lower.size();
     const auto is_changed = [&](const TriangleName& name) { return changed.empty() || changed[name.instance]; };
     std::vector<Entry> before = std::move(entries_);
     entries_.clear();
@@ -79,8 +81,7 @@ void CoincidentSurfaces::make_entries(std::span<const PlacedMesh> scene, const s
             std::none_of(entry.lower.begin(), entry.lower.end(), is_changed)) {
             entries_.push_back(std::move(*old));
         } else {
-            const double side = coincident::bins_for(entry.lower.size(), all.size());
-            entries_.push_back(coincident::entry_of(scene, entry.triangle, entry.lower, side));
+            entries_.push_back(coincident::entry_of(scene, entry.triangle, entry.lower, pairs));
         }
     }
 }
@@ -97,6 +98,47 @@ uint32_t hash_bits(uint32_t x) {
 }
 uint32_t hash_pair(uint32_t a, uint32_t b) { return hash_bits(a ^ (hash_bits(b) + 0x9e3779b9u)); }
 
+// The filter of the kernels' may_share: a word for each key, as layout.h of both cores describes it.
+class CoincidentFilter {
+public:
+    explicit CoincidentFilter(size_t entries) : words_(std::bit_ceil(std::max<size_t>(entries * 2, 4))) {}
+
+    void add(uint32_t key, const CoincidentSurfaces::Entry& entry) {
+        uint32_t& word = words_[key & mask()];
+        const uint32_t tag = key >> kTagShift;
+        const bool is_shared = word != 0 && word >> kTagShift != tag;
+        const uint32_t cells = (word | cells_of(entry)) & kTagAny;
+        word = (is_shared ? kTagAny : tag) << kTagShift | cells;
+    }
+
+    uint32_t mask() const { return static_cast<uint32_t>(words_.size() - 1); }
+
+    void append_to(std::vector<glm::uvec4>& rows) const {
+        for (size_t i = 0; i < words_.size(); i += 4) {
+            rows.push_back(glm::uvec4(words_[i], words_[i + 1], words_[i + 2], words_[i + 3]));
+        }
+    }
+
+private:
+    static constexpr uint32_t kCells = 4;
+    static constexpr uint32_t kTagShift = 16;
+    static constexpr uint32_t kTagAny = 0xffff;
+
+    // Sides are powers of two: a part is made of whole bins, or a bin of whole parts.
+    static uint32_t cells_of(const CoincidentSurfaces::Entry& entry) {
+        const uint32_t bins = std::max(entry.side / kCells, 1u), cells = std::max(kCells / entry.side, 1u);
+        uint32_t found = 0;
+        for (uint32_t i = 0; i < entry.bins.size(); ++i) {
+            if (entry.bins[i].empty()) continue;
+            const uint32_t u = i % entry.side / bins * cells, v = i / entry.side / bins * cells;
+            for (uint32_t k = 0; k < cells * cells; ++k) found |= 1u << ((v + k / cells) * kCells + u + k % cells);
+        }
+        return found;
+    }
+
+    std::vector<uint32_t> words_;
+};
+
 }  // namespace
 
 std::vector<glm::uvec4> pack_coincident(std::span<const CoincidentSurfaces::Entry> entries,
@@ -105,9 +147,12 @@ std::vector<glm::uvec4> pack_coincident(std::span<const CoincidentSurfaces::Entr
     const uint32_t mask = std::bit_ceil(static_cast<uint32_t>(entries.size()) * 2) - 1;
     std::vector<glm::uvec4> rows(size_t{mask} + 2, glm::uvec4(kNothing, 0, 0, 0));
     std::vector<glm::uvec4> partners;
+    CoincidentFilter filter(entries.size());
     for (const CoincidentSurfaces::Entry& entry : entries) {
         const uint32_t handle = triangle_of(entry.triangle).handle;
-        uint32_t place = hash_pair(entry.triangle.instance, handle) & mask;
+        const uint32_t key = hash_pair(entry.triangle.instance, handle);
+        filter.add(key, entry);
+        uint32_t place = key & mask;
         while (rows[place + 1].x != kNothing) place = (place + 1) & mask;
         rows[place + 1] = glm::uvec4(entry.triangle.instance, handle, rows.size(), entry.side);
         for (const std::vector<TriangleName>& bin : entry.bins) {
@@ -119,8 +164,9 @@ std::vector<glm::uvec4> pack_coincident(std::span<const CoincidentSurfaces::Entr
             }
         }
     }
-    rows[0] = glm::uvec4(mask, rows.size(), 0, 0);
+    rows[0] = glm::uvec4(mask, rows.size(), (rows.size() + partners.size()) * 4, filter.mask());
     rows.insert(rows.end(), partners.begin(), partners.end());
+    filter.append_to(rows);
     return rows;
 }
 

@@ -11,9 +11,11 @@ namespace render_system::coincident {
 
 namespace {
 
-constexpr double kBinsPerTriangle = 16.0;
+// A bin is looked at by every ray that meets the triangle there, so that small things on a large one are worth many.
+constexpr double kBinsPerTriangle = 64.0;
 constexpr double kMostBins = 1u << 18;      // of all entries, but for two a triangle
-constexpr double kMostBinTests = 1u << 24;  // of all triangles that lie on others, each in every bin
+constexpr double kTestsPerTriangle = 64.0;  // of triangles that lie on others, each in every bin around it
+constexpr double kMostBinTests = 1u << 24;  // of all entries, but for one a triangle
 constexpr double kBinRoom = 0.02;           // of a bin: for the rounding of u and v
 
 // Where others lie on a triangle, in its u and v.
@@ -45,18 +47,43 @@ bool reaches_into(Polygon polygon, const glm::dvec2& least, const glm::dvec2& mo
     return cut(polygon, {least.x, most.y}, least).count > 0;
 }
 
-// Puts a triangle into the bins of an entry that it reaches into; `corners` are u and v, in bins.
-void add_to_bins(const TriangleName& name, Polygon corners, CoincidentSurfaces::Entry& entry) {
-    glm::dvec2 least(1e30), most(-1e30);
-    for (int i = 0; i < corners.count; ++i) {
-        least = glm::min(least, corners.p[i]);
-        most = glm::max(most, corners.p[i]);
+// The bins around a triangle, whose corners are u and v.
+struct BinRange {
+    glm::dvec2 first, last;
+
+    BinRange(const Polygon& corners, double side) {
+        glm::dvec2 least(1e30), most(-1e30);
+        for (int i = 0; i < corners.count; ++i) {
+            least = glm::min(least, corners.p[i]);
+            most = glm::max(most, corners.p[i]);
+        }
+        first = glm::clamp(glm::floor(least * side - kBinRoom), 0.0, side - 1.0);
+        last = glm::clamp(glm::floor(most * side + kBinRoom), 0.0, side - 1.0);
     }
-    const double last = entry.side - 1.0;
-    least = glm::clamp(glm::floor(least - kBinRoom), 0.0, last);
-    most = glm::clamp(glm::floor(most + kBinRoom), 0.0, last);
-    for (double y = least.y; y <= most.y; ++y) {
-        for (double x = least.x; x <= most.x; ++x) {
+    double count() const { return (last.x - first.x + 1.0) * (last.y - first.y + 1.0); }
+};
+
+// Bins along a side: a power of two, so that the parts of which the kernels' filter knows are made of whole ones.
+uint32_t side_for(const std::vector<Polygon>& lower, size_t pairs) {
+    const auto count = static_cast<double>(lower.size()), all = static_cast<double>(pairs);
+    const double bins = count * std::clamp(kMostBins / all, 2.0, kBinsPerTriangle);
+    const double tests = count * std::clamp(kMostBinTests / all, 1.0, kTestsPerTriangle);
+    const auto is_affordable = [&](double side) {
+        double needed = 0.0;
+        for (const Polygon& corners : lower) needed += BinRange(corners, side).count();
+        return side * side <= bins && needed <= tests;
+    };
+    uint32_t side = 1;
+    while (is_affordable(2.0 * side)) side *= 2;
+    return side;
+}
+
+// Puts a triangle into the bins of an entry that it reaches into; `corners` are u and v.
+void add_to_bins(const TriangleName& name, Polygon corners, CoincidentSurfaces::Entry& entry) {
+    const BinRange range(corners, entry.side);
+    for (int i = 0; i < corners.count; ++i) corners.p[i] *= static_cast<double>(entry.side);
+    for (double y = range.first.y; y <= range.last.y; ++y) {
+        for (double x = range.first.x; x <= range.last.x; ++x) {
             const glm::dvec2 bin(x, y);
             if (!reaches_into(corners, bin - kBinRoom, bin + (1.0 + kBinRoom))) continue;
             entry.bins[static_cast<size_t>(y) * entry.side + static_cast<size_t>(x)].push_back(name);
@@ -66,24 +93,19 @@ void add_to_bins(const TriangleName& name, Polygon corners, CoincidentSurfaces::
 
 }  // namespace
 
-double bins_for(size_t count, size_t entries) {
-    const auto n = static_cast<double>(count);
-    const double allowed = std::max(kMostBins / static_cast<double>(entries), 2.0 * n);
-    const double affordable = kMostBinTests / (static_cast<double>(entries) * n);
-    return std::max(1.0, std::floor(std::sqrt(std::min({kBinsPerTriangle * n, allowed, affordable}))));
-}
-
 CoincidentSurfaces::Entry entry_of(std::span<const PlacedMesh> scene, const TriangleName& triangle,
-                                   const std::vector<TriangleName>& lower, double side) {
+                                   const std::vector<TriangleName>& lower, size_t pairs) {
     const auto corners = [&](const TriangleName& name) { return corners_of(scene[name.instance], name.primitive); };
-    CoincidentSurfaces::Entry entry{triangle, lower, static_cast<uint32_t>(side), {}};
-    entry.bins.resize(size_t{entry.side} * entry.side);
     const TriangleFrame frame(corners(triangle));
+    std::vector<Polygon> placed;
     for (const TriangleName& name : lower) {
-        Polygon in_bins;
-        for (const glm::vec3& p : corners(name).p) in_bins.p[in_bins.count++] = frame.at(p) * side;
-        add_to_bins(name, turned_left(in_bins), entry);
+        Polygon on_triangle;
+        for (const glm::vec3& p : corners(name).p) on_triangle.p[on_triangle.count++] = frame.at(p);
+        placed.push_back(turned_left(on_triangle));
     }
+    CoincidentSurfaces::Entry entry{triangle, lower, side_for(placed, pairs), {}};
+    entry.bins.resize(size_t{entry.side} * entry.side);
+    for (size_t i = 0; i < lower.size(); ++i) add_to_bins(lower[i], placed[i], entry);
     return entry;
 }
 

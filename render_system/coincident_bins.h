@@ -9,11 +9,9 @@
 
 namespace render_system::coincident {
 
-/// Bins along a side, for an entry of `count` triangles among so many entries.
-double bins_for(size_t count, size_t entries);
-
-/// What lies in the place of a triangle, by `side` times `side` bins of its u and v.
+/// What lies in the place of a triangle, by bins of its u and v: as many as `pairs`, those of all entries, leave room
+/// for.
 CoincidentSurfaces::Entry entry_of(std::span<const PlacedMesh> scene, const TriangleName& triangle,
-                                   const std::vector<TriangleName>& lower, double side);
+                                   const std::vector<TriangleName>& lower, size_t pairs);
 
 }  // namespace render_system::coincident

@@ -62,6 +62,8 @@ TABLE_sky_table(vec4, textureBuffer, WORDS, sky_table, BINDING_SKY_TABLE)
 TABLE_lobe_energy(vec4, textureBuffer, WORDS, lobe_energy, BINDING_LOBE_ENERGY)
 TABLE_coincident(uvec4, utextureBuffer, WORDS, coincident, BINDING_COINCIDENT)
 
+Uint fetch_coincident_word(Uint word) { return fetch_coincident(word >> 2)[word & 3u]; }
+
 // ---- Path state and queues. All buffers are declared alike; the host marks those that a kernel does not write (or
 // does not read) in the compiled module. ----
 

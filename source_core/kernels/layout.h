@@ -132,10 +132,16 @@ const uint LIGHT_SKY = 4u;
 // light_table, sky_table: one row per entry: threshold, alias as bits, probability, unused.
 // sky_texels: one row per texel: radiance.rgb, probability of the texel in sky_table.
 
-// coincident: what lies in one place, uvec4 rows. Row 0: mask of the hash table that follows, row of the first partner.
+// coincident: what lies in one place, uvec4 rows. Row 0: mask of the hash table that follows, row of the first partner,
+// first word of the filter, mask of its words.
 // The hash table, by hash_pair of the first two: instance, trace's handle, row of the first bin, bins along a side of u
 // and v; instance NONE: empty. The bins, u fastest: first partner, partners. The partners, in each bin the lowest
-// (instance, primitive) first: instance, trace's handle, primitive, opacity as bits.
+// (instance, primitive) first: instance, trace's handle, primitive, opacity as bits. The filter: one word for
+// the entries of a place in it, small enough to stay near the processor: the upper half of their key, and a bit for
+// each part of their u and v, of so many along a side, in which there is something.
+const uint COINCIDENT_CELLS = 4u;
+const uint COINCIDENT_TAG_SHIFT = 16u;
+const uint COINCIDENT_TAG_ANY = 0xffffu;  // in place of that half where entries of several keys share the word
 
 // ---- Features of the scene: kernels leave out what a scene does not need. ----
 

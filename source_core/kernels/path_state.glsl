@@ -12,10 +12,13 @@ struct Ray {
     vec3 direction;  // unit length
 };
 
-// What trace_closest finds. `triangle` is trace's own handle.
+// What trace_closest finds. `triangle` is trace's own handle; u and v, as intersect_triangle has them, are as exact as
+// the walk is.
 struct Hit {
     Uint instance;  // NONE: nothing
     Uint triangle;
+    Float u;
+    Float v;
 };
 
 // A ray with its cone (Akenine-Moller et al. 2021): width at the origin and growth per unit length.

@@ -318,6 +318,8 @@ Hit trace_closest(Ray ray, Uint path) {
     Hit hit;
     hit.instance = crossing.instance;
     hit.triangle = crossing.triangle;
+    hit.u = crossing.u;
+    hit.v = crossing.v;
     return hit;
 }
 

@@ -131,6 +131,8 @@ void intersect_exactly(const RTCIntersectFunctionNArguments* arguments) {
         best->ray.tfar = candidate.test.t;
         best->hit.geomID = instance;
         best->hit.primID = primitive;
+        best->hit.u = candidate.test.u;
+        best->hit.v = candidate.test.v;
         best->hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     }
 }

@@ -88,6 +88,7 @@ struct Uint {
     friend Uint operator|(Uint a, Uint b) { return Uint(a.v | b.v); }
     friend Uint operator^(Uint a, Uint b) { return Uint(a.v ^ b.v); }
     friend Uint operator>>(Uint a, int n) { return Uint(a.v >> n); }
+    friend Uint operator>>(Uint a, Uint n) { return Uint(a.v >> n.v); }
     friend Uint operator<<(Uint a, int n) { return Uint(a.v << n); }
     friend Uint min(Uint a, Uint b) { return select(b < a, b, a); }
     LANE_OPERATORS(Uint)

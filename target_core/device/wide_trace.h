@@ -98,6 +98,8 @@ inline Hit trace_closest(const Ray& ray, const Uint& path) {
     fill_packet(packet.ray, ray, std::numeric_limits<float>::infinity());
     put_lanes(packet.hit.geomID, ~UintLanes{});
     put_lanes(packet.hit.instID[0], ~UintLanes{});
+    put_lanes(packet.hit.u, FloatLanes{});
+    put_lanes(packet.hit.v, FloatLanes{});
     alignas(64) IntLanes valid = mask_words(mask_of_bits(active_lanes));
     const int* lanes = reinterpret_cast<const int*>(&valid);
     if (pass.segment == 1u) {
@@ -115,6 +117,8 @@ inline Hit trace_closest(const Ray& ray, const Uint& path) {
     take_lanes(packet.hit.geomID, geometry.v);
     take_lanes(packet.hit.instID[0], placed.v);
     take_lanes(packet.hit.primID, hit.triangle.v);
+    take_lanes(packet.hit.u, hit.u.v);
+    take_lanes(packet.hit.v, hit.v.v);
     hit.instance = select(placed != RTC_INVALID_GEOMETRY_ID, placed, geometry);
     return hit;
 }

@@ -32,6 +32,7 @@ inline vec4 fetch_sky_texels(Uint row) { return gather(bound.sky_texels, row); }
 inline vec4 fetch_sky_table(Uint row) { return gather(bound.sky_table, row); }
 inline vec4 fetch_lobe_energy(Uint row) { return gather(bound.lobe_energy, row); }
 inline uvec4 fetch_coincident(Uint row) { return gather(bound.coincident, row); }
+inline Uint fetch_coincident_word(Uint word) { return gather(&bound.coincident->x, word); }
 
 // ---- Path state ----
 

@@ -7,11 +7,12 @@
 
 namespace target_core::kernels {
 
-// The row of a hit's entry in the hash table of `coincident`, or of the empty one where it would stand.
-inline Uint find_coincident(Hit hit, Uint mask) {
-    Uint place = hash_pair(hit.instance, hit.triangle) & mask;
+// The row of a hit's entry in the hash table of `coincident`, by its key there, or of the empty one where it would
+// stand.
+inline Uint find_coincident(Hit hit, Uint key, Uint mask, Mask where) {
+    Uint place = key & mask;
     uvec4 entry = fetch_coincident(place + 1u);
-    Mask searching = entry.x != NONE && (entry.x != hit.instance || entry.y != hit.triangle);
+    Mask searching = where && entry.x != NONE && (entry.x != hit.instance || entry.y != hit.triangle);
     while (any_lane(searching)) {
         place = select(searching, (place + 1u) & mask, place);
         entry = fetch_coincident(place + 1u);
@@ -34,26 +35,37 @@ struct Partners {
     Uint end;
 };
 
-// What shares its place with the triangle of `entry` where the ray meets it, `first_partner` on.
-inline Partners partners_at(Ray ray, TriangleVertices triangle, uvec4 entry, Uint first_partner, Mask where) {
-    TriangleTest test = intersect_triangle(ray.origin, ray.direction, triangle.v0, triangle.v1, triangle.v2);
-    Uint last = entry.w - 1u;
-    Uint column = min(Uint(saturate(test.u) * Float(entry.w)), last);
-    Uint line = min(Uint(saturate(test.v) * Float(entry.w)), last);
-    uvec4 bin = fetch_coincident(select(where, (entry.z + line * entry.w) + column, Uint(0u)));
+// In which of so many equal parts of [0, 1] it lies.
+inline Uint part_of(Float x, Uint parts) { return min(Uint(Int(saturate(x) * Float(parts))), parts - 1u); }
+
+// False where nothing shares the place of what was hit there; true may be wrong.
+inline Mask may_share(Hit hit, Uint key, uvec4 head) {
+    Uint word = fetch_coincident_word(head.z + (key & head.w));
+    Uint tag = word >> COINCIDENT_TAG_SHIFT;
+    Uint cell = part_of(hit.v, COINCIDENT_CELLS) * COINCIDENT_CELLS + part_of(hit.u, COINCIDENT_CELLS);
+    return ((word >> cell) & 1u) != 0u && (tag == (key >> COINCIDENT_TAG_SHIFT) || tag == COINCIDENT_TAG_ANY);
+}
+
+// What shares its place with the triangle of `entry` where it was hit, `first_partner` on.
+inline Partners partners_at(Hit hit, uvec4 entry, Uint first_partner, Mask where) {
+    Uint bin = part_of(hit.v, entry.w) * entry.w + part_of(hit.u, entry.w);
+    uvec4 row = fetch_coincident(select(where, entry.z + bin, Uint(0u)));
     Partners partners;
-    partners.row = first_partner + bin.x;
-    partners.end = partners.row + select(where, bin.y, Uint(0u));
+    partners.row = first_partner + row.x;
+    partners.end = partners.row + select(where, row.y, Uint(0u));
     return partners;
 }
 
-// The first of the partners that the ray meets in the place of `triangle`; `hit` where it meets none.
-inline Hit first_in_place(Ray ray, Hit hit, TriangleVertices triangle, Partners partners, Uint first_partner,
-                          Uint path) {
-    vec3 normal = normalized(cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0));
-    Uint key = ray_key(path, RAY_EXTENSION);
+// The first of the partners that the ray meets in the place of its hit; `hit` where it meets none.
+inline Hit first_in_place(Ray ray, Hit hit, Partners partners, Uint first_partner, Uint path) {
     Uint row = partners.row;
     Mask looking = row < partners.end;
+    // Lanes that have nothing to look for read the first partner of all.
+    uvec4 first = fetch_coincident(first_partner);
+    TriangleVertices triangle =
+        fetch_triangle(select(looking, hit.instance, first.x), select(looking, hit.triangle, first.y));
+    vec3 normal = normalized(cross(triangle.v1 - triangle.v0, triangle.v2 - triangle.v0));
+    Uint key = ray_key(path, RAY_EXTENSION);
     while (any_lane(looking)) {
         uvec4 other = fetch_coincident(select(looking, row, first_partner));
         TriangleVertices its = fetch_triangle(other.x, other.y);
@@ -75,16 +87,13 @@ inline Hit first_in_place(Ray ray, Hit hit, TriangleVertices triangle, Partners 
 // which tree. So the one of the lowest (instance, primitive) counts, whichever was met.
 inline Hit lowest_in_place(Ray ray, Hit hit, Uint path) {
     uvec4 head = fetch_coincident(Uint(0u));
-    uvec4 entry = fetch_coincident(find_coincident(hit, head.x));
-    Mask listed = hit.instance != NONE && entry.x != NONE;
-    if (any_lane(listed)) {
-        // Lanes that have nothing to look for read the first partner of all.
-        uvec4 other = fetch_coincident(head.y);
-        TriangleVertices triangle =
-            fetch_triangle(select(listed, hit.instance, other.x), select(listed, hit.triangle, other.y));
-        Partners partners = partners_at(ray, triangle, entry, head.y, listed);
+    Uint key = hash_pair(hit.instance, hit.triangle);
+    Mask shares = hit.instance != NONE && may_share(hit, key, head);
+    if (any_lane(shares)) {
+        uvec4 entry = fetch_coincident(find_coincident(hit, key, head.x, shares));
+        Partners partners = partners_at(hit, entry, head.y, shares && entry.x != NONE);
         if (any_lane(partners.row < partners.end)) {
-            hit = first_in_place(ray, hit, triangle, partners, head.y, path);
+            hit = first_in_place(ray, hit, partners, head.y, path);
         }
     }
     return hit;

@@ -138,10 +138,7 @@ inline void continue_path(Uint path, Scatterer scatterer, Surface surface, PathR
 
 // What the ray of a job of the surface queue met.
 inline Surface surface_of_job(uvec4 row, PathRay path_ray) {
-    Hit hit;
-    hit.instance = row.y;
-    hit.triangle = row.z;
-    return make_surface(path_ray, hit, fetch_triangle(hit.instance, hit.triangle));
+    return make_surface(path_ray, row.y, fetch_triangle(row.y, row.z));
 }
 
 // What happens where a ray met a surface: emission, next event estimation and the next segment.

@@ -119,8 +119,8 @@ struct Surface {
     Mask front;  // the ray comes from the front side
 };
 
-inline Surface make_surface(PathRay path_ray, Hit hit, TriangleVertices triangle) {
-    Rows rows = rows_from(hit.instance * INSTANCE_ROWS);
+inline Surface make_surface(PathRay path_ray, Uint instance, TriangleVertices triangle) {
+    Rows rows = rows_from(instance * INSTANCE_ROWS);
     vec4 row0 = fetch_instances(rows, INSTANCE_TRANSFORM);
     vec4 row1 = fetch_instances(rows, INSTANCE_TRANSFORM + 1u);
     vec4 row2 = fetch_instances(rows, INSTANCE_TRANSFORM + 2u);
@@ -140,7 +140,7 @@ inline Surface make_surface(PathRay path_ray, Hit hit, TriangleVertices triangle
     surface.geometric_normal = area * (1.0f / doubled);
     surface.normal = normalized(transform_normal(row0, row1, row2, attributes.normal) * mesh_row.w);
     surface.color = attributes.color;
-    surface.instance = hit.instance;
+    surface.instance = instance;
     surface.primitive = triangle.primitive;
     surface.tangents = attributes.tangents;
     surface.material = corners.w;

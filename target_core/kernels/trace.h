@@ -63,11 +63,15 @@ inline Hit trace_closest(Ray ray, Uint path) {
     if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         hit.instance = NONE;
         hit.triangle = 0u;
+        hit.u = 0.0f;
+        hit.v = 0.0f;
         return hit;
     }
     bool instanced = found.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
     hit.instance = instanced ? found.hit.instID[0] : found.hit.geomID;
     hit.triangle = found.hit.primID;
+    hit.u = found.hit.u;
+    hit.v = found.hit.v;
     return hit;
 }
 

@@ -216,3 +216,53 @@ TEST(CoincidentSurfaces, OfVeryManyInOnePlaceTheirBinsAreBounded) {
     EXPECT_GE(pairs, uint64_t{kSheets} * (kSheets - 1) / 2 * 3);
     EXPECT_LE(bin_tests, (uint64_t{1} << 24) + pairs);  // a bin there is always
 }
+
+// hash_pair of the kernels.
+uint32_t mixed(uint32_t x) {
+    x = (x ^ (x >> 16)) * 0x7feb352du;
+    x = (x ^ (x >> 15)) * 0x846ca68bu;
+    return x ^ (x >> 16);
+}
+uint32_t key_of(uint32_t instance, uint32_t handle) { return mixed(instance ^ (mixed(handle) + 0x9e3779b9u)); }
+
+// As the kernels ask before they look for an entry, once for each sixteenth of its u and v.
+bool may_share(const std::vector<glm::uvec4>& rows, uint32_t key, const glm::vec2& at) {
+    const uint32_t index = rows[0].z + (key & rows[0].w);
+    const uint32_t word = rows[index / 4][static_cast<int>(index % 4)];
+    const auto cell = static_cast<uint32_t>(at.y * 4) * 4 + static_cast<uint32_t>(at.x * 4);
+    return (word >> cell & 1) != 0 && (word >> 16 == key >> 16 || word >> 16 == 0xffff);
+}
+
+// What has nothing in its place is let through seldom enough that it costs little, and what has something always.
+TEST(CoincidentSurfaces, TheFilterLeavesOutNothing) {
+    const CoincidentSurfaces surfaces = found_in({Sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 9, 8),
+                                                  Sheet({0.3f, 0.4f, 0}, {0.1f, 0, 0}, {0, 0.1f, 0}, 5, 5),
+                                                  Sheet({0, 0, 0}, {3, 0, 0}, {0, 3, 0}, 1, 1)});
+    const auto rows = pack_coincident(surfaces.entries(), [](const TriangleName& name) {
+        return CoincidentTriangle{name.primitive * 7, 1.0f};
+    });
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> unit(0.0f, 0.999f);
+    uint32_t asked = 0, left_out = 0;
+    for (const CoincidentSurfaces::Entry& entry : surfaces.entries()) {
+        const uint32_t key = key_of(entry.triangle.instance, entry.triangle.primitive * 7);
+        for (int i = 0; i < 400; ++i) {
+            const glm::vec2 at(unit(random), unit(random));
+            const auto side = static_cast<float>(entry.side);
+            const auto x = static_cast<uint32_t>(at.x * side), y = static_cast<uint32_t>(at.y * side);
+            if (entry.bins[size_t{y} * entry.side + x].empty()) {
+                left_out += entry.side > 4 && !may_share(rows, key, at) ? 1 : 0;
+            } else {
+                ASSERT_TRUE(may_share(rows, key, at)) << at.x << ' ' << at.y;
+                ++asked;
+            }
+        }
+    }
+    EXPECT_GT(asked, 1000u);
+    EXPECT_GT(left_out, 100u) << "of the large triangles most has nothing on it";
+    int let_through = 0;
+    for (uint32_t other = 0; other < 10000; ++other) {
+        let_through += may_share(rows, key_of(7, other), glm::vec2(unit(random), unit(random))) ? 1 : 0;
+    }
+    EXPECT_LT(let_through, 1500);
+}

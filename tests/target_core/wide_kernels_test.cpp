@@ -610,11 +610,10 @@ TEST_F(WideKernelsScene, FootprintsAreFinite) {
     path_ray.ray.direction = {1.0f, 0.0f, 0.0f};
     path_ray.cone_width = 1.0e6f;
     path_ray.cone_spread = 1.0f;
-    kernels::Hit hit{0, 0};
     kernels::TriangleVertices seen_from_its_edge{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 0};
     kernels::TriangleVertices without_area{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, 0};
     for (const kernels::TriangleVertices& triangle : {seen_from_its_edge, without_area}) {
-        kernels::Surface surface = kernels::make_surface(path_ray, hit, triangle);
+        kernels::Surface surface = kernels::make_surface(path_ray, 0, triangle);
         EXPECT_TRUE(std::isfinite(surface.coordinates.footprint0)) << surface.coordinates.footprint0;
         EXPECT_TRUE(std::isfinite(surface.coordinates.footprint1)) << surface.coordinates.footprint1;
     }
