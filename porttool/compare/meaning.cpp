@@ -145,12 +145,29 @@ std::string shouted_runtime_name(std::string_view token) {
     return std::string(token);
 }
 
+/// CUDA's driver as HIP has it, which has one name for both: `CUmodule` is `hipModule_t`, `cuModuleGetFunction` is
+/// `hipModuleGetFunction`; as the runtime would have it. "" for all other names.
+std::string name_of_driver(std::string_view token) {
+    constexpr std::string_view kType = "CU", kCall = "cu";
+    if (token.size() <= kType.size() + 1) return {};
+    const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+    const std::string_view rest = token.substr(kType.size());
+    if (token.starts_with(kType) && std::all_of(rest.begin(), rest.end(), is_small)) {
+        std::string out = "cuda" + std::string(rest) + "_t";
+        out[4] = static_cast<char>(out[4] - 'a' + 'A');
+        return out;
+    }
+    const bool calls = token.starts_with(kCall) && rest[0] >= 'A' && rest[0] <= 'Z' && is_small(rest[1]);
+    return calls ? "cuda" + std::string(rest) : std::string();
+}
+
 /// HIP's names for what CUDA's runtime and libraries have under the same names: `hipMalloc` is `cudaMalloc`.
 std::string runtime_name(std::string_view token) {
     constexpr std::string_view kPrefix = "hip";
     if (token.starts_with("HIP")) return shouted_runtime_name(token);
     if (const SisterName* row = sister_name(token); row != nullptr && token == row->hip) return std::string(row->cuda);
     if (token == "cudaMallocHost") return "cudaHostAlloc";  // HIP has one name for both
+    if (const std::string name = name_of_driver(token); !name.empty()) return name;
     if (token.size() <= kPrefix.size() || !token.starts_with(kPrefix)) return std::string(token);
     const std::string_view rest = token.substr(kPrefix.size());
     if (rest[0] >= 'A' && rest[0] <= 'Z') return "cuda" + std::string(rest);

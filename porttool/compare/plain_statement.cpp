@@ -135,6 +135,53 @@ void drop_default_sizes(Text& words) {
     }
 }
 
+/// The type of a literal that `auto` takes from it; "" for one with another suffix, or too large for an `int`.
+std::string_view type_of_literal(std::string_view literal) {
+    constexpr size_t kSurelyInt = 9;  // digits
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    if (std::all_of(literal.begin(), literal.end(), is_digit)) return literal.size() <= kSurelyInt ? "int" : "";
+    if (literal.starts_with("0x")) return "";
+    const bool is_float = literal.ends_with('f');
+    if (is_float) literal.remove_suffix(1);
+    const bool is_real = std::all_of(literal.begin(), literal.end(), [&](char c) {
+        return is_digit(c) || is_one_of(std::string_view(&c, 1), {".", "e"});
+    });
+    if (!is_real) return "";
+    return is_float ? "float" : "double";
+}
+
+/// `auto i = 0` as `int i = 0`, also in the head of a loop.
+void write_types_of_literals(Text& words) {
+    for (size_t i = 0; i + 3 < words.size(); ++i) {
+        const bool is_alone = i + 4 == words.size() || words[i + 4] == ";";
+        if (words[i] != "auto" || !is_word_token(words[i + 1]) || words[i + 2] != "=" || !is_alone ||
+            !is_number_token(words[i + 3]))
+            continue;
+        if (const std::string_view type = type_of_literal(words[i + 3]); !type.empty()) words[i] = type;
+    }
+}
+
+/// `const_cast<T&>(x)` as `x`: what may be written is no matter of values.
+void drop_const_casts(Text& words) {
+    for (size_t i = 0; i + 3 < words.size(); ++i) {
+        if (words[i] != "const_cast" || words[i + 1] != "<") continue;
+        size_t open = i + 2;
+        while (open < words.size() && words[open] != "(" && words[open] != ";") ++open;
+        if (open >= words.size() || words[open] != "(" || words[open - 1] != ">") continue;
+        const size_t end = after_bracket(words, open, words.size());
+        const bool is_name =
+            end == open + 3 ||
+            std::none_of(words.begin() + static_cast<std::ptrdiff_t>(open) + 1,
+                         words.begin() + static_cast<std::ptrdiff_t>(end) - 1, [](const std::string& word) {
+                             return !is_word_token(word) && word != "." && word != "->" && word != "::";
+                         });
+        if (!is_name) continue;
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(end) - 1);
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
+                    words.begin() + static_cast<std::ptrdiff_t>(open) + 1);
+    }
+}
+
 }  // namespace
 
 /// After what stands at `i` and changes no value, or `i`.
@@ -204,6 +251,8 @@ std::vector<std::string> PlainStatements::translate(const Words& statement, bool
     if (language_ == Language::Glsl) drop_default_sizes(out);
     out = with_plain_launches(with_functional_casts(with_c_casts(out, dialect_), dialect_));
     out = with_plain_global_ids(out, dialect_);
+    write_types_of_literals(out);
+    drop_const_casts(out);
     open_whole_value(out);
     drop_status_check(out);
     drop_cast_to_declared_type(out);

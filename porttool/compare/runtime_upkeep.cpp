@@ -56,6 +56,62 @@ bool is_upkeep(const std::vector<std::string>& words) {
     return calls > 0 && std::none_of(words.begin(), words.end(), writes);
 }
 
+/// True for a macro that does nothing but check: `CHECK_INPUT`, `KERNEL_LAUNCH_CHECK`.
+bool is_check_macro(std::string_view name) {
+    if (std::any_of(name.begin(), name.end(), is_small_letter)) return false;
+    return name == "CHECK" || name.starts_with("CHECK_") || name.ends_with("_CHECK") ||
+           name.find("_CHECK_") != std::string_view::npos;
+}
+
+/// True for a function that only waits, or asks how a device fared, or for the stream that is used.
+bool is_of_driving(std::string_view name) {
+    if (is_upkeep_call(name) || is_check_macro(name)) return true;
+    if (is_runtime_call(name)) return holds_in_any_case(name, "synchronize") || holds_in_any_case(name, "finish");
+    const bool of_device = holds_in_any_case(name, "cuda") || holds_in_any_case(name, "hip");
+    return of_device && (holds_in_any_case(name, "stream") || holds_in_any_case(name, "guard"));
+}
+
+/// A statement that does nothing but drive a device, or check. A check by another name, around what drives one, is one,
+/// too.
+bool drives_alone(const std::vector<std::string>& words) {
+    if (words.empty() || declares_runtime_object(words)) return !words.empty();
+    bool any = false;
+    for (size_t i = 0; i < words.size(); ++i) {
+        if (is_one_of(words[i],
+                      {"return", "goto", "break", "continue", "throw", "#", "++", "--", "<<", ">>", "+=", "-="}))
+            return false;
+        if (i + 1 == words.size() || words[i + 1] != "(" || !is_word_token(words[i])) continue;
+        if (words[i] == "sizeof" || is_type_word(words[i])) continue;
+        if (any && holds_in_any_case(words[i], "device") && !holds_in_any_case(words[i], "copy")) continue;
+        const bool wraps_driver =
+            i == 0 && says_that_it_checks(words[i]) && words.size() > 3 && words[3] == "(" && is_of_driving(words[2]);
+        const bool is_declared = i > 0 && is_word_token(words[i - 1]);
+        if (!wraps_driver && !is_of_driving(is_declared ? words[i - 1] : words[i])) return false;
+        any = true;
+    }
+    return any;
+}
+
+/// A text whose launches say neither how much memory their blocks have nor in which stream they run.
+Words without_streams(const Words& text) {
+    Words out;
+    for (size_t i = 0; i < text.size(); ++i) {
+        out.push_back(text[i]);
+        if (!opens_launch(text, i)) continue;
+        out.insert(out.end(), {"<", "<"});
+        size_t commas = 0;
+        int depth = 0;
+        for (i += 3; i < text.size() && !is_one_of(text[i], {";", "{", "}"}); ++i) {
+            if (depth == 0 && text[i] == ">" && i + 2 < text.size() && text[i + 1] == ">" && text[i + 2] == ">") break;
+            depth += is_one_of(text[i], {"(", "["}) ? 1 : is_one_of(text[i], {")", "]"}) ? -1 : 0;
+            if (depth == 0 && text[i] == ",") ++commas;
+            if (commas < 2) out.push_back(text[i]);
+        }
+        if (i < text.size()) out.push_back(text[i]);
+    }
+    return out;
+}
+
 /// One text's statements, of which some are not in the other.
 struct EditedText {
     std::vector<Statement> statements;
@@ -75,6 +131,14 @@ struct EditedText {
     }
 
     bool is_edited_at_all() const { return std::find(is_edited.begin(), is_edited.end(), true) != is_edited.end(); }
+
+    /// True if every statement that came or went does nothing but drive a device.
+    bool only_drives() const {
+        for (size_t i = 0; i < statements.size(); ++i)
+            if (is_edited[i] && (heads[i] || statements[i].is_brace() || !drives_alone(statements[i].common)))
+                return false;
+        return true;
+    }
 
     /// A head counts with what stands in its block; that must all have come or gone with it.
     bool only_upkeep() const {
@@ -166,6 +230,23 @@ bool only_waits_more(const Words& before, const Words& now) {
 bool only_tends_runtime(const Words& before, const Words& now) {
     const EditedTexts texts(before, now);
     return texts.then.only_upkeep() && texts.today.only_upkeep();
+}
+
+bool only_drives_device(const Words& before, const Words& now) {
+    const Words then = without_streams(before), today = without_streams(now);
+    const EditedTexts texts(then, today);
+    return texts.then.only_drives() && texts.today.only_drives();
+}
+
+bool may_drive_device(const Words& text) {
+    ContextNames contexts;
+    note_contexts(text, contexts);
+    if (!contexts.empty() || drives_device(text)) return true;
+    for (size_t i = 1; i < text.size(); ++i)
+        if (is_one_of(text[i - 1], {".", "->"}) &&
+            is_one_of(text[i], {"wait", "wait_and_throw", "finish", "memcpy", "memset", "single_task", "enqueue"}))
+            return true;
+    return false;
 }
 
 bool only_tends_foreign_runtime(const Words& before, const Words& now, const Words& other) {

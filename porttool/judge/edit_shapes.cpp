@@ -269,4 +269,15 @@ std::set<EditSpot> spots_of(const std::vector<std::string>& lines) {
     return SpotReader(went, came).run();
 }
 
+bool is_work(const std::vector<std::string>& lines) {
+    constexpr size_t kDozen = 12;
+    size_t shown = 0, edited = 0;
+    for (const std::string& line : lines)
+        if (line.size() > 1 && (line[0] == '-' || line[0] == '+')) shown += shown_words(line.substr(1)).size();
+    if (shown < kDozen) return false;
+    const std::set<EditSpot> spots = spots_of(lines);
+    for (const EditSpot& spot : spots) edited += spot.words;
+    return spots.empty() || edited >= kDozen;
+}
+
 }  // namespace porttool

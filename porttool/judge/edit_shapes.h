@@ -18,6 +18,9 @@ std::vector<std::string_view> shown_words(std::string_view text);
 /// another is told by what is left between their common begin and end.
 bool is_long_edit(const std::vector<std::string>& lines);
 
+/// True of an edit of a dozen words or more, which nobody makes by mistake.
+bool is_work(const std::vector<std::string>& lines);
+
 /// True for an edit that did nothing but put parts of a unit into branches for the compiler, or take them out:
 /// `# ifdef A` and `# endif` came.
 bool is_of_branches(const std::vector<std::string>& lines);

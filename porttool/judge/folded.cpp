@@ -49,6 +49,19 @@ std::string family_of(const Finding& finding) {
            std::string(leaf_of(split_id(id).second));
 }
 
+/// The statements that two edits differ in, without the functions' heads, where there are several; else "".
+std::string difference_of(const Finding& finding) {
+    constexpr size_t kSeveral = 4;
+    std::string out;
+    size_t many = 0;
+    for (const std::string& line : finding.details) {
+        if (line.find("@(") != std::string::npos || line.starts_with("also: ")) continue;
+        out += "\n" + line;
+        ++many;
+    }
+    return many >= kSeveral ? out : std::string();
+}
+
 /// What findings of one cause have in common; "" for one that stands for itself.
 std::string cause_of(const Finding& finding) {
     const std::string rule = std::string(rule_name(finding.rule)) + "\n" + finding.target_set + "\n";
@@ -61,6 +74,8 @@ std::string cause_of(const Finding& finding) {
         if (const std::string name = handed_on(finding.details); !name.empty()) return rule + "takes " + name;
         return rule + (is_long_edit(finding.details) ? "" : subject_of(finding)) + edit;
     }
+    if (finding.rule == Rule::PortDiffers)
+        if (const std::string difference = difference_of(finding); !difference.empty()) return rule + difference;
     return finding.rule == Rule::Unpaired || is_of_gone_unit(finding) ? rule + split_id(subject_of(finding)).first
                                                                       : std::string();
 }
@@ -343,6 +358,27 @@ void tell_with_worst(std::vector<Finding*>& group) {
     tell_with(*group.front(), std::span(group).subspan(1), what_others_are(*group.front()));
 }
 
+/// The folder of a port of which a warning tells a long edit, where the port is not what counts; "" of all others.
+std::string work_on_port(const Finding& finding, const MapFile& map) {
+    if (finding.rule != Rule::TargetChanged || finding.level != Level::Warning || !is_edit_of_a_side(finding) ||
+        is_contract(map.reference, Side::Target) || !is_work(finding.details))
+        return {};
+    const std::string file(split_id(subject_of(finding)).first);
+    return finding.target_set + "\n" + file.substr(0, file.rfind('/') + 1);
+}
+
+/// Tells long edits of the ports of one folder, whose originals nobody touched, once: they are one piece of work on the
+/// port, which one look at it answers.
+void tell_work_once(const std::vector<Finding*>& loud, const MapFile& map) {
+    std::map<std::string, std::vector<Finding*>> by_folder;
+    for (Finding* finding : loud)
+        if (const std::string folder = work_on_port(*finding, map); !folder.empty())
+            by_folder[folder].push_back(finding);
+    for (const auto& [folder, group] : by_folder)
+        if (group.size() > 1)
+            tell_with(*group.front(), std::span(group).subspan(1), "more ports were worked on without their sources");
+}
+
 /// True if others are told with it already.
 bool has_others(const Finding& finding) {
     return std::any_of(finding.details.begin(), finding.details.end(), is_of_another);
@@ -387,9 +423,7 @@ void fold_findings(FindingList& findings, const MapFile& map) {
             tell_with(*group.front(), std::span(group).subspan(1), "more pairs have the same edit in their own names");
     CauseGroups known;
     for (Finding* finding : loud)
-        if (finding->level > Level::Note && !finding->causes.empty() &&
-            (!is_in_doubt(*finding) || !has_others(*finding)))
-            known.add(*finding, finding->causes);
+        if (finding->level > Level::Note && !finding->causes.empty()) known.add(*finding, finding->causes);
     for (std::vector<Finding*>& group : known.run())
         if (group.size() > 1) tell_with_worst(group);
     std::vector<Finding*> edits;
@@ -397,6 +431,7 @@ void fold_findings(FindingList& findings, const MapFile& map) {
                  [](const Finding* finding) { return is_edit_of_a_side(*finding) && !has_others(*finding); });
     for (const std::vector<Finding*>& group : sweeps(edits))
         tell_with(*group.front(), std::span(group).subspan(1), "more pairs have edits of the same words");
+    tell_work_once(loud, map);
 }
 
 void ease_orphans(FindingList& findings, const std::vector<JudgedPair>& pairs, const UnitsById& ports) {

@@ -9,12 +9,14 @@
 #include "porttool/compare/asides.h"
 #include "porttool/compare/common_ground.h"
 #include "porttool/compare/computed_values.h"
+#include "porttool/compare/lone_edit.h"
 #include "porttool/compare/named_parts.h"
 #include "porttool/compare/owed_edit.h"
 #include "porttool/compare/own_fields.h"
 #include "porttool/compare/own_words.h"
 #include "porttool/compare/runtime_upkeep.h"
 #include "porttool/compare/runtime_versions.h"
+#include "porttool/compare/same_anyway.h"
 #include "porttool/compare/statement_edit.h"
 #include "porttool/compare/switch_arms.h"
 #include "porttool/compare/switch_cases.h"
@@ -97,6 +99,19 @@ bool OneSidedWeight::call_the_same(const std::vector<RespelledCall>& calls, Side
     });
 }
 
+/// Why the values of a function are sure to be what they were, or ""; the message says it.
+std::string OneSidedWeight::say_same_anyway(const LoneTexts& texts, const Words& before, const UnitState& now,
+                                            Language language) const {
+    const auto asks_there = std::any_of(texts.other.begin(), texts.other.end(), tells_a_version);
+    if (!asks_there && with_one_version_condition(texts.before) == with_one_version_condition(texts.now))
+        return "it only asks for other versions of its compiler or runtime";
+    const Words today = now.text.words();
+    if (lone_edit(with_values_as_taken(before), with_values_as_taken(today), now.kind, language, dialect_, true)
+            .means_nothing)
+        return "it only casts to the type that takes the value, or hands a value over as a reference to a constant";
+    return {};
+}
+
 /// What nothing seems to read is a note; a warning where a macro that no file of the side defines may read it.
 void OneSidedWeight::weaken_unread(JudgedPair& pair, Side side, const LoneTexts& texts, Finding& finding,
                                    const std::string& why) {
@@ -147,6 +162,8 @@ void OneSidedWeight::weigh(JudgedPair& pair, Side side, const NormalText& before
                           : Level::Note,
                       "it only changes what is printed, checked or timed");
     const Language language = language_of_path(now.file);
+    if (const std::string same = say_same_anyway(texts, before.words(), now, language); !same.empty())
+        return weaken(pair, finding, Level::Note, same);
     const bool names_parts = only_names_parts(texts.before, texts.now, now.kind, language, dialect_);
     if ((names_parts || computes_as_before(before.words(), now.text.words(), dialect_, language)) &&
         !are_twins(texts.before, texts.other, dialect_))
@@ -167,6 +184,10 @@ void OneSidedWeight::weigh(JudgedPair& pair, Side side, const NormalText& before
     const std::string there_is = side == Side::Source ? "the port" : "the source";
     if (is_own_matter && only_waits_more(texts.before, texts.now))
         return weaken(pair, finding, Level::Note, "it only waits more often for its own device");
+    if (!is_of_few_words(texts.before, texts.now) && !may_drive_device(texts.other) &&
+        only_drives_device(texts.before, texts.now))
+        return weaken(pair, finding, Level::Note,
+                      "it only waits, checks or keeps house for a device, which " + there_is + " does not drive");
     if (only_tends_foreign_runtime(texts.before, texts.now, texts.other))
         return weaken(pair, finding, Level::Note,
                       "it only keeps house with a runtime that " + there_is + " does not call");

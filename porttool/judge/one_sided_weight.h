@@ -41,6 +41,8 @@ public:
 
 private:
     void weaken_unread(JudgedPair& pair, Side side, const LoneTexts& texts, Finding& finding, const std::string& why);
+    std::string say_same_anyway(const LoneTexts& texts, const Words& before, const UnitState& now,
+                                Language language) const;
     bool call_the_same(const std::vector<RespelledCall>& calls, Side side, const Words& there);
     bool doubt_unless_owed(const JudgedPair& pair, LaidEdit& laid, const std::string& why, Finding& finding);
     void weigh_ground(JudgedPair& pair, Side side, LaidEdit& laid, Finding& finding);

@@ -156,7 +156,7 @@ void TwoSidedWeight::weigh_what_is_left(const JudgedPair& pair, const PairCompar
     else if (left >= kLeast && std::min(found.left.source, found.left.target) >= kSeveral && is_no_slip())
         weaken(pair, finding, Level::Warning, "both did more of their own than a slip leaves");
     else if (!own_names_.are_one(pair.unit) && !are_mostly_alike(laid))
-        weaken(pair, finding, Level::Warning, "the two texts say too little alike to tell whether the edits are one");
+        doubt(pair, finding, "the two texts say too little alike to tell whether the edits are one");
 }
 
 /// Edits of both sides of a function that seem to be one are a note. Beside the text, how the files declare what it
