@@ -65,15 +65,17 @@ bool is_check_macro(std::string_view name) {
 
 /// True for a function that only waits, or asks how a device fared, or for the stream that is used.
 bool is_of_driving(std::string_view name) {
-    if (is_upkeep_call(name) || is_check_macro(name)) return true;
+    for (const std::string_view memory : {"alloc", "free", "release"})
+        if (holds_in_any_case(name, memory)) return false;
+    if (is_upkeep_call(name)) return true;
     if (is_runtime_call(name)) return holds_in_any_case(name, "synchronize") || holds_in_any_case(name, "finish");
     const bool of_device = holds_in_any_case(name, "cuda") || holds_in_any_case(name, "hip");
     return of_device && (holds_in_any_case(name, "stream") || holds_in_any_case(name, "guard"));
 }
 
-/// A statement that does nothing but drive a device, or check. A check by another name, around what drives one, is one,
-/// too.
-bool drives_alone(const std::vector<std::string>& words) {
+/// A statement that does nothing but drive a device, or, with `checks`, check. A check by another name, around what
+/// drives one, is one, too.
+bool drives_alone(const std::vector<std::string>& words, bool checks) {
     if (words.empty() || declares_runtime_object(words)) return !words.empty();
     bool any = false;
     for (size_t i = 0; i < words.size(); ++i) {
@@ -86,7 +88,9 @@ bool drives_alone(const std::vector<std::string>& words) {
         const bool wraps_driver =
             i == 0 && says_that_it_checks(words[i]) && words.size() > 3 && words[3] == "(" && is_of_driving(words[2]);
         const bool is_declared = i > 0 && is_word_token(words[i - 1]);
-        if (!wraps_driver && !is_of_driving(is_declared ? words[i - 1] : words[i])) return false;
+        if (!wraps_driver && !is_of_driving(is_declared ? words[i - 1] : words[i]) &&
+            !(checks && is_check_macro(words[i])))
+            return false;
         any = true;
     }
     return any;
@@ -133,9 +137,9 @@ struct EditedText {
     bool is_edited_at_all() const { return std::find(is_edited.begin(), is_edited.end(), true) != is_edited.end(); }
 
     /// True if every statement that came or went does nothing but drive a device.
-    bool only_drives() const {
+    bool only_drives(bool checks) const {
         for (size_t i = 0; i < statements.size(); ++i)
-            if (is_edited[i] && (heads[i] || statements[i].is_brace() || !drives_alone(statements[i].common)))
+            if (is_edited[i] && (heads[i] || statements[i].is_brace() || !drives_alone(statements[i].common, checks)))
                 return false;
         return true;
     }
@@ -232,10 +236,11 @@ bool only_tends_runtime(const Words& before, const Words& now) {
     return texts.then.only_upkeep() && texts.today.only_upkeep();
 }
 
-bool only_drives_device(const Words& before, const Words& now) {
-    const Words then = without_streams(before), today = without_streams(now);
-    const EditedTexts texts(then, today);
-    return texts.then.only_drives() && texts.today.only_drives();
+bool only_drives_device(const Words& before, const Words& now, bool streams) {
+    const EditedTexts texts(streams ? without_streams(before) : before, streams ? without_streams(now) : now);
+    // One check in the place of another may ask for something else.
+    const bool checks = texts.then.is_edited_at_all() != texts.today.is_edited_at_all();
+    return texts.then.only_drives(checks) && texts.today.only_drives(checks);
 }
 
 bool may_drive_device(const Words& text) {

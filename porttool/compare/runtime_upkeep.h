@@ -19,12 +19,12 @@ bool only_tends_runtime(const Words& before, const Words& now);
 /// runtime of that kind.
 bool only_tends_foreign_runtime(const Words& before, const Words& now, const Words& other);
 
-/// True if all that an edit did was to drive a device otherwise: upkeep as only_tends_runtime() has it, what waits for
-/// the device, what checks whether it did what it was told, and how much memory of its blocks and which stream a launch
-/// is given. Nothing that moves data or tells how many threads there are.
+/// True if all that an edit did was to drive a device otherwise: upkeep as only_tends_runtime() has it, but for memory,
+/// what waits for the device, what checks whether it did what it was told, and, with `streams`, how much memory of its
+/// blocks and which stream a launch is given. Nothing that moves data or tells how many threads there are.
 ///
 ///     k<<<g, b, n * 4>>>(x);       k<<<g, b, n * 4, stream>>>(x); CHECK(cudaGetLastError());
-bool only_drives_device(const Words& before, const Words& now);
+bool only_drives_device(const Words& before, const Words& now, bool streams);
 
 /// True for a text that drives a device, waits for one (`q.wait()`), or was handed its queue or stream.
 bool may_drive_device(const Words& text);

@@ -185,7 +185,7 @@ void OneSidedWeight::weigh(JudgedPair& pair, Side side, const NormalText& before
     if (is_own_matter && only_waits_more(texts.before, texts.now))
         return weaken(pair, finding, Level::Note, "it only waits more often for its own device");
     if (!is_of_few_words(texts.before, texts.now) && !may_drive_device(texts.other) &&
-        only_drives_device(texts.before, texts.now))
+        only_drives_device(texts.before, texts.now, is_own_matter))
         return weaken(pair, finding, Level::Note,
                       "it only waits, checks or keeps house for a device, which " + there_is + " does not drive");
     if (only_tends_foreign_runtime(texts.before, texts.now, texts.other))

@@ -73,10 +73,7 @@ const std::vector<Row> kQuiet = {
     {"another way to ask", "#if CUDART_VERSION >= 10010", "#if defined(CUDART_VERSION) && CUDART_VERSION >= 10010"},
     {"a check", kLaunch, kLaunch + "\n  CUDA_CHECK(cudaGetLastError());"},
     {"a wait", kLaunch, kLaunch + "\n  CUDA_CHECK(cudaDeviceSynchronize());"},
-    {"a stream", kLaunch,
-     "cudaStream_t stream = at::cuda::getCurrentCUDAStream();\n"
-     "  scale<<<n / 256, 256, 0, stream>>>(state.out(), state.in(), n, k);"},
-    {"memory of a block", "256, 0>>>", "256, 256 * sizeof(float) + slack>>>"},
+    {"a check of nothing of the device", "state.prepare(left);", "CHECK_RANGE(left, n, rows);\n  state.prepare(left);"},
     {"whose device", "state.prepare(left);", "cudaSetDevice(state.get_device());\n  state.prepare(left);"},
 };
 
@@ -97,11 +94,24 @@ const std::vector<Row> kLoud = {
     {"a call beside a wait", kLaunch, kLaunch + "\n  cudaDeviceSynchronize(); state.prepare(n);"},
     {"data", kLaunch, kLaunch + "\n  cudaMemset(state.out(), 0, n * sizeof(float));"},
     {"a check that is reckoned with", kLaunch, kLaunch + "\n  left = check_bounds(left, n, 16);"},
+    {"memory that is given back", kLaunch, kLaunch + "\n  state.drop(); CUDA_CHECK(cudaFree(state.spare));"},
     {"a checkpoint", kLaunch, kLaunch + "\n  CHECKPOINT(left, n, 16);"},
     {"a check of what it does", kLaunch, kLaunch + "\n  CHECK(state.advance(left, n));"},
 };
 
+/// Of the port alone.
+const std::vector<Row> kOfThePort = {
+    {"a stream", kLaunch,
+     "cudaStream_t stream = at::cuda::getCurrentCUDAStream();\n"
+     "  scale<<<n / 256, 256, 0, stream>>>(state.out(), state.in(), n, k);"},
+    {"memory of a block", "256, 0>>>", "256, 256 * sizeof(float) + slack>>>"},
+};
+
 TEST(SameAnyway, EachBesideOneLikeItThatDoesMore) {
+    for (const Row& row : kOfThePort) {
+        EXPECT_FALSE(is_loud(level_of(row.from, row.to, Side::Target))) << row.what;
+        EXPECT_TRUE(is_loud(level_of(row.from, row.to, Side::Source))) << row.what;
+    }
     for (const Side side : kBothSides) {
         for (const Row& row : kQuiet) EXPECT_FALSE(is_loud(level_of(row.from, row.to, side))) << row.what;
         for (const Row& row : kLoud) EXPECT_TRUE(is_loud(level_of(row.from, row.to, side))) << row.what;
