@@ -197,6 +197,9 @@ BaseLock base_lock(const Snapshot& base, const LockFile& then, const LockFile& n
     BaseLock out;
     const LinesByPair lines_then(then), lines_now(now);
     const StaleIds stale(base, lines_now, today, text_of);
+    size_t pairs = 0;
+    for (const MapPair& pair : base.project.map.pairs) pairs += pair.targets.size();
+    out.lock.pairs.reserve(pairs);
     for (const MapPair& pair : base.project.map.pairs) {
         for (const std::string& target : pair.targets) {
             if (const LockedPair* line = accepted_since(lines_then, lines_now, today, pair.source, target)) {

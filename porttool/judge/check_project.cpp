@@ -3,6 +3,7 @@
 #include "porttool/judge/check_project.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "porttool/judge/base_lock.h"
@@ -244,7 +245,8 @@ CheckedProject check_project(const CheckChoice& choice, Workplace& place, const 
     Project project = open_project(choice, place, true);
     if (choice.staged) take_staged_map(project, place);
     if (!choice.base.empty()) require_folder_of_base(project, choice, choice.base, place.disk);
-    const MapFile map_today = project.map;
+    // A map can have half a million pairs: a second one is there only where they differ.
+    const std::optional<MapFile> map_today = choice.trusted_map ? std::optional(project.map) : std::nullopt;
     if (choice.trusted_map) take_map_of_base(project, choice.base, place);
     CheckedProject checked{read_now(std::move(project), choice, place, last, kept)};
     checked.recorded = checked.disk().exists(lock_path(checked.project));
@@ -252,7 +254,7 @@ CheckedProject check_project(const CheckChoice& choice, Workplace& place, const 
     std::vector<BroughtIn> brought;
     checked.against_base = !choice.base.empty();
     if (checked.against_base) {
-        brought = hold_against_base(checked, choice, map_today, place, kept);
+        brought = hold_against_base(checked, choice, map_today ? *map_today : checked.project.map, place, kept);
     } else if (checked.recorded || !choice.lock_is_optional) {
         RecordedLock recorded = load_lock(checked.project, checked.disk(), checked.states);
         checked.lock = std::move(recorded.lock);

@@ -208,11 +208,16 @@ private:
 
     /// Of half a million lines a table that doubles its room has three times their size on the way.
     void make_room() {
-        constexpr std::string_view kUnit = "\tunit\t";
-        size_t units = 0;
-        for (size_t at = text_.find(kUnit); at != std::string_view::npos; at = text_.find(kUnit, at + kUnit.size()))
-            if (at > kLineKeyDigits && text_[at - kLineKeyDigits - 1] == '\n') ++units;
-        lock_.baseline.reserve(units);
+        lock_.pairs.reserve(lines_of("\tpair\t"));
+        lock_.baseline.reserve(lines_of("\tunit\t"));
+    }
+
+    /// How many lines have that word behind their key.
+    size_t lines_of(std::string_view word) const {
+        size_t count = 0;
+        for (size_t at = text_.find(word); at != std::string_view::npos; at = text_.find(word, at + word.size()))
+            if (at > kLineKeyDigits && text_[at - kLineKeyDigits - 1] == '\n') ++count;
+        return count;
     }
 
     /// Takes in a line; what is wrong with it, or "".

@@ -15,7 +15,8 @@ constexpr size_t kLeastOfLargeFile =
 
 KnownFile::KnownFile(std::string path, std::string bytes, FileFacts facts, ScannedFile scanned,
                      std::vector<UnitState> states)
-    : path_(std::move(path)), bytes_(std::move(bytes)), facts_(std::move(facts)), scanned_(std::move(scanned)) {
+    : path_(std::move(path)), bytes_(std::move(bytes)), facts_(std::move(facts)) {
+    if (bytes_.size() < kLeastOfLargeFile) scanned_ = std::move(scanned);
     for (uint32_t unit = 0; unit < states.size(); ++unit)
         texts_.emplace_hint(texts_.end(), unit, std::move(states[unit].text));
 }

@@ -343,6 +343,17 @@ BySide<SourceSet> sides_at(Snapshot& snapshot) {
 
 void refuse_open_merges(const Snapshot& snapshot) { require_finished_merges(snapshot.project.map, snapshot.files()); }
 
+/// Facts of a large file of tiny units take ten times its text, beside all else that is known of it. Where one such
+/// file is much of all there is, they would hardly spare a scan: it is the file that was edited.
+bool are_worth_facts(const BySide<SourceSet>& sets, uint64_t least_bytes) {
+    constexpr uint64_t kLeastOfLarge = 1u << 20, kMostOfAll = 4;
+    uint64_t largest = 0;
+    for (const Side side : kBothSides)
+        for (const SourceText& file : sets[side].files) largest = std::max<uint64_t>(largest, file.text.size());
+    const uint64_t all = bytes_of(sets.source) + bytes_of(sets.target);
+    return all >= least_bytes && (largest < kLeastOfLarge || largest <= all / kMostOfAll);
+}
+
 }  // namespace
 
 FilesOfSide Snapshot::files(Side side) const {
@@ -402,7 +413,7 @@ Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, D
 Snapshot read_snapshot(Project project, const Moment& at, const Disk& on_disk, FactsStore& facts) {
     Snapshot out{std::move(project), {}, at, "", {}, &on_disk};
     BySide<SourceSet> sets = sides_at(out);
-    const bool by_facts = bytes_of(sets.source) + bytes_of(sets.target) >= facts.least_bytes();
+    const bool by_facts = are_worth_facts(sets, facts.least_bytes());
     if (by_facts) {
         const std::set<std::string> named = named_ids(out.project.map);
         KnownSide source = facts.know(std::move(sets.source.files), named);
