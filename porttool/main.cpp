@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <exception>
 #include <iostream>
+#include <new>
 
 #include "porttool/command/run.h"
 
@@ -28,9 +30,24 @@ void take_full_files_for_errors() {
     (void)::sigaction(SIGXFSZ, &action, nullptr);
 }
 
+/// What is thrown where nothing may be, as by a destructor that finds no memory, ends as any other error does. Nothing
+/// is tidied up: the next run does that, as after one that was killed.
+[[noreturn]] void end_with_a_line() {
+    const char* line = "porttool: stopped by an error of its own; please report it\n";
+    if (const std::exception_ptr thrown = std::current_exception()) try {
+            std::rethrow_exception(thrown);
+        } catch (const std::bad_alloc&) {
+            line = "porttool: not enough memory\n";
+        } catch (...) {
+        }
+    std::fputs(line, stderr);
+    ::_exit(2);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
+    std::set_terminate(end_with_a_line);
     hold_standard_streams();
     take_full_files_for_errors();
     porttool::RealDisk disk;

@@ -222,6 +222,8 @@ private:
         DifftestSettings settings;
         settings.defines = patches_->project().map.defines;
         const DifftestResult result = difftest(patches_->project(), all, asked, settings, place_.disk);
+        for (const std::string& file : result.unread)
+            place_.err << "warning: " << terminal_text(file) << "; what a build defines there is not known\n";
         for (AuditItem& item : items)
             for (const DifftestPair& ran : result.pairs)
                 if (ran.source == item.id.source && ran.target == item.id.target) take_witness(ran, item);

@@ -157,6 +157,8 @@ Outcome run_difftest(const Options& options, Workplace& place) {
     settings.defines.insert(settings.defines.end(), project.map.defines.begin(), project.map.defines.end());
     const std::vector<PairIds> all = known_pairs(project, options.source.empty());
     const DifftestResult result = difftest(project, all, asked_pairs(options, project, all), settings, place.disk);
+    for (const std::string& file : result.unread)
+        place.err << "warning: " << terminal_text(file) << "; what a build defines there is not known\n";
     const std::vector<DifftestPair>& pairs = result.pairs;
     if (!options.evidence.empty())
         if (const std::string failure = place.disk.write(options.evidence, difftest_evidence(result)); !failure.empty())

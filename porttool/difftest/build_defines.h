@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -36,7 +37,11 @@ public:
     /// Makefile or CMakeLists.txt upwards says.
     const std::string& text_for(const std::string& path) const;
 
+    /// The files of a build that are there and were not read, each with the reason: `Makefile: is not a regular file`.
+    const std::vector<std::string>& unread() const { return unread_; }
+
 private:
+    std::string read(const std::string& path, uint64_t limit) const;
     void read_commands(const std::string& path);
     const Macros& of_folder(const std::string& folder, int up) const;
 
@@ -46,6 +51,7 @@ private:
     std::map<std::string, Macros> commands_;  ///< by path from the root
     mutable std::map<std::string, Macros> folders_;
     mutable std::map<std::string, std::string> texts_;
+    mutable std::vector<std::string> unread_;
 };
 
 }  // namespace porttool

@@ -172,6 +172,13 @@ public:
         return out;
     }
 
+    /// The files of a build that were refused, of both sides.
+    std::vector<std::string> unread() const {
+        std::set<std::string> out(build_.source.unread().begin(), build_.source.unread().end());
+        out.insert(build_.target.unread().begin(), build_.target.unread().end());
+        return {out.begin(), out.end()};
+    }
+
 private:
     const Definitions& definitions(Side side) const { return side == Side::Source ? source_ : target_; }
 
@@ -462,7 +469,7 @@ DifftestResult difftest(const Project& project, const std::vector<PairIds>& all,
     Difftest run(project, asked, settings, disk);
     run.stand_in(all);
     run.run();
-    return {run.pairs, run.texts()};
+    return {run.pairs, run.texts(), run.unread()};
 }
 
 }  // namespace porttool

@@ -55,6 +55,7 @@ struct DifftestResult {
     std::vector<DifftestPair> pairs;  ///< in the order asked for
     /// The files whose text ran, each with the print of its text without byte order mark and carriage returns.
     std::map<std::string, std::string> texts;
+    std::vector<std::string> unread;  ///< files of a build that were refused, with the reasons
 };
 
 /// A pair by its ids.

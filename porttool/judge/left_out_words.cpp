@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <set>
+#include <unordered_set>
 
 #include "porttool/compare/asides.h"
 #include "porttool/compare/lone_edit.h"
@@ -27,19 +28,39 @@ bool is_translated(std::string_view word, const Dialect& dialect) {
            is_one_of(word, {"static_cast", "reinterpret_cast", "const_cast"});
 }
 
-/// What a comparison takes a word of a text for, if it may leave it out. `without`: the text without asides.
-std::optional<LeftOutAs> left_out_as(std::string_view word, const Words& text, const Words& without,
-                                     const Dialect& dialect) {
-    const auto has = [&](const Words& words) { return std::find(words.begin(), words.end(), word) != words.end(); };
+/// What is asked of a unit's text for each of its words.
+struct AskedText {
+    std::unordered_set<std::string_view> all;    ///< words
+    std::unordered_set<std::string_view> acts;   ///< those that stand outside asides, too
+    std::unordered_set<std::string_view> local;  ///< those that name a local somewhere
+
+    explicit AskedText(const Words& text) : all(text.begin(), text.end()) {
+        const Words without = without_asides(text);
+        acts.insert(without.begin(), without.end());
+        const std::vector<size_t> locals = local_numbers(text);
+        for (size_t i = 0; i < locals.size(); ++i)
+            if (locals[i] != 0) local.insert(text[i]);
+    }
+};
+
+/// What a comparison takes a word of a text for, if it may leave it out.
+std::optional<LeftOutAs> left_out_as(std::string_view word, const AskedText& text, const Dialect& dialect) {
     if (is_one_of(word, {"hipLaunchKernelGGL", "hipLaunchKernel", "cudaLaunchKernel"})) return LeftOutAs::Launch;
-    if (!has(text) || is_translated(word, dialect)) return LeftOutAs::Word;
+    if (!text.all.contains(word) || is_translated(word, dialect)) return LeftOutAs::Word;
     if (says_unused(word)) return LeftOutAs::Unused;
-    if (!has(without)) return LeftOutAs::Aside;
+    if (!text.acts.contains(word)) return LeftOutAs::Aside;
     if (says_that_it_checks(word)) return LeftOutAs::Check;
-    const std::vector<size_t> locals = local_numbers(text);
-    for (size_t i = 0; i < locals.size(); ++i)
-        if (text[i] == word && locals[i] != 0) return LeftOutAs::Local;
-    return std::nullopt;
+    return text.local.contains(word) ? std::optional(LeftOutAs::Local) : std::nullopt;
+}
+
+/// The words that an edit of macros names: `A` and `B` of `source A:17 B:4`.
+std::unordered_set<std::string_view> words_of_macro_edit(std::string_view edit) {
+    std::unordered_set<std::string_view> out;
+    for (size_t end = edit.find(':'); end != std::string_view::npos; end = edit.find(':', end + 1)) {
+        const size_t space = edit.rfind(' ', end);
+        if (space != std::string_view::npos) out.insert(edit.substr(space + 1, end - space - 1));
+    }
+    return out;
 }
 
 /// `#define KEPT static`: a macro that only says how something is declared, of which MacroEdits tells nothing.
@@ -119,7 +140,8 @@ std::vector<LeftOutWords::Changed> LeftOutWords::changed_in(const JudgedPair& pa
     const auto place = all.places.find(user->id);
     if (place == all.places.end()) return out;
     const auto& [file, unit] = place->second;
-    std::optional<Words> text, without;
+    std::optional<AskedText> text;
+    const std::unordered_set<std::string_view> told = words_of_macro_edit(pair.macro_edit);
     std::set<Standing> known;
     const auto is_own = [&](const NewWord& said) {
         return said.file == file && said.said.name_token >= unit->tokens.first &&
@@ -131,17 +153,16 @@ std::vector<LeftOutWords::Changed> LeftOutWords::changed_in(const JudgedPair& pa
         if (!all.by_word.contains(word) && !all.names.contains(word)) continue;
         const bool plain = has_plain_rest(file->lexed, at, unit->tokens.end);
         if (!known.insert({word, LeftOutAs::Word, in_body, plain}).second) continue;
-        if (!text) text = user->text.words(), without = without_asides(*text);
-        std::optional<LeftOutAs> as = left_out_as(word, *text, *without, dialect_);
+        if (!text) text.emplace(user->text.words());
+        std::optional<LeftOutAs> as = left_out_as(word, *text, dialect_);
         if (!as && !in_body && !is_told && unit->kind != UnitKind::Constant) as = LeftOutAs::Word;
         if (const auto all_said = all.by_word.find(word); !as && in_body && all_said != all.by_word.end())
             for (const NewWord* one : all_said->second)
                 if (only_says_how_declared(*one)) as = LeftOutAs::Word;
         if (!as) continue;
         for (const Said& said : harmful(side, {word, *as, in_body, plain})) {
-            const std::string told = " " + std::string(said.what->word()) + ":";
             if (is_own(*said.what) || !is_seen(side, *said.what, *user)) continue;
-            if (pair.macro_edit.find(told) != std::string::npos) continue;
+            if (told.contains(said.what->word())) continue;
             out.push_back({said, word});
             break;
         }

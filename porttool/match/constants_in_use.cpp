@@ -8,8 +8,10 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "porttool/scan/scan.h"
+#include "porttool/scan/side.h"
 
 namespace porttool {
 namespace {
@@ -61,7 +63,7 @@ public:
         const ScannedFile& file = files_[features.file];
         const Unit& unit = unit_of(function);
         std::vector<ConstantUse> uses;
-        std::vector<uint32_t> hidden;
+        std::unordered_set<uint32_t> hidden;
         const auto look = [&](const TokenRange& range, bool declares) {
             size_t hole = 0;
             for (uint32_t i = range.first; i < range.end; ++i) {
@@ -70,16 +72,14 @@ public:
                 const uint32_t constant = constant_at(file, features.file, i);
                 if (constant == kNone) continue;
                 if (declares || is_declared(file, i))
-                    hidden.push_back(constant);
+                    hidden.insert(constant);
                 else
                     uses.push_back({constant, around(file, i, range)});
             }
         };
         look(unit.parameters, true);
         look(unit.body, false);
-        std::erase_if(uses, [&](const ConstantUse& use) {
-            return std::find(hidden.begin(), hidden.end(), use.constant) != hidden.end();
-        });
+        std::erase_if(uses, [&](const ConstantUse& use) { return hidden.contains(use.constant); });
         return uses;
     }
 
@@ -102,13 +102,12 @@ private:
         if (!seen_.test(mark_of(name))) return kNone;
         const auto found = named_.find(name);
         if (found == named_.end() || is_member(file, i)) return kNone;
-        uint32_t here = kNone;
-        for (const uint32_t constant : found->second) {
-            if (units_[constant].file != file_number) continue;
-            if (here != kNone) return kNone;
-            here = constant;
-        }
-        return here != kNone ? here : found->second.size() == 1 ? found->second.front() : kNone;
+        const std::vector<uint32_t>& all = found->second;  // file by file, as units are
+        const auto here = std::partition_point(all.begin(), all.end(),
+                                               [&](uint32_t constant) { return units_[constant].file < file_number; });
+        if (here == all.end() || units_[*here].file != file_number) return all.size() == 1 ? all.front() : kNone;
+        const bool is_one_of_several = here + 1 != all.end() && units_[*(here + 1)].file == file_number;
+        return is_one_of_several ? kNone : *here;
     }
 
     static bool is_member(const ScannedFile& file, uint32_t i) {
@@ -209,20 +208,39 @@ private:
         if (here.empty()) return;
         const Used there = by_constant(targets_.uses_in(pair.target));
         std::vector<Constants> found;
-        for (const auto& [s, places] : here)
-            for (const auto& [t, places_there] : there) {
-                if (sources_.value(s) != targets_.value(t) || !is_open(s, t)) continue;
-                if (is_rare(sources_.value(s)) || share_a_place(places, places_there)) found.emplace_back(s, t);
-            }
+        std::unordered_map<uint32_t, size_t> of_source, of_target;  // in `found`
+        for (const ByValue& same : with_one_value(here, there))
+            for (const auto& [s, places] : same.source)
+                for (const auto& [t, places_there] : same.target) {
+                    if (!is_open(s, t)) continue;
+                    if (!is_rare(sources_.value(s)) && !share_a_place(*places, *places_there)) continue;
+                    found.emplace_back(s, t);
+                    ++of_source[s];
+                    ++of_target[t];
+                }
         for (const Constants& constants : found) {
-            const auto is_rival = [&](const Constants& other) {
-                return (other.first == constants.first) != (other.second == constants.second);
-            };
-            if (std::any_of(found.begin(), found.end(), is_rival)) continue;
+            if (of_source[constants.first] > 1 || of_target[constants.second] > 1) continue;
             constexpr float kMost = 0.85f;
             float& confidence = votes_[constants];
             confidence = std::max(confidence, std::min(kMost, pair.confidence));
         }
+    }
+
+    using Places = std::pair<uint32_t, const std::vector<std::string>*>;  ///< of a constant
+    using ByValue = BySide<std::vector<Places>>;
+
+    /// The constants that two functions use, those of one value together. Values that very many share tell nothing.
+    std::vector<ByValue> with_one_value(const Used& here, const Used& there) const {
+        constexpr size_t kMost = 64;  // constants of a side
+        std::unordered_map<std::string_view, ByValue> by_value;
+        for (const auto& [s, places] : here) by_value[sources_.value(s)].source.emplace_back(s, &places);
+        for (const auto& [t, places] : there)
+            if (const auto same = by_value.find(targets_.value(t)); same != by_value.end())
+                same->second.target.emplace_back(t, &places);
+        std::vector<ByValue> out;
+        for (auto& [value, same] : by_value)
+            if (same.source.size() <= kMost && same.target.size() <= kMost) out.push_back(std::move(same));
+        return out;
     }
 
     const std::vector<UnitFeatures>&source_, &target_;

@@ -3,12 +3,15 @@
 // Functions of both sides, built and run: what differs is found with an input that a reader can check by hand, what
 // cannot run says why, and what would harm does not.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
+#include <fstream>
 
 #include "porttool/difftest/bounded_process.h"
 #include "porttool/difftest/build_defines.h"
@@ -441,6 +444,24 @@ TEST(BuildDefines, AreReadFromTextsAlone) {
     EXPECT_EQ(plain.text_for("a/k.cpp"), "#define N 5\n");
     EXPECT_EQ(plain.text_for("a/b/deep.h"), "#define N 6\n#define M 1\n");
     EXPECT_EQ(plain.text_for("k.h"), "");
+}
+
+/// What leads out of the repository, and what never ends, is not read and named.
+TEST_F(Difftest, NamesTheFilesOfABuildThatItDoesNotRead) {
+    write("a/k.h", "inline float f(float x) { return x * FACTOR; }\n");
+    const auto outside = root.parent_path() / (root.filename().string() + "_outside");
+    std::ofstream(outside) << "X = -DFACTOR=2\n";
+    std::filesystem::create_symlink(outside, root / "a/Makefile");
+    std::filesystem::create_directories(root / "build");
+    ASSERT_EQ(::mkfifo((root / "build/compile_commands.json").c_str(), 0600), 0);
+    RealDisk disk;
+    const std::string place = root.string();
+    const BuildDefines build(place, disk, {});
+    EXPECT_EQ(build.text_for("a/k.h"), "");
+    ASSERT_EQ(build.unread().size(), 2u);
+    EXPECT_EQ(build.unread()[0], "build/compile_commands.json: is not a regular file");
+    EXPECT_TRUE(build.unread()[1].starts_with("a/Makefile: ")) << build.unread()[1];
+    std::filesystem::remove(outside);
 }
 
 TEST_F(Difftest, LeavesNothingBehindWhenInterrupted) {

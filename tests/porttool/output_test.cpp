@@ -82,6 +82,33 @@ TEST_F(Output, LittleMemoryIsAnErrorWithALineWhereverItEnds) {
     }
 }
 
+/// A page is made of nested values, whose destructors ask for memory, too.
+TEST_F(Output, LittleMemoryForAPageIsAnErrorWithALine) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "a sanitizer needs more room for addresses than any limit leaves";
+#endif
+    std::string source, target;
+    for (int i = 0; i < 1200; ++i) {
+        const std::string function = "float f" + std::to_string(i) + "(float a) { return a * " + std::to_string(i);
+        source += "__device__ " + function + ".5f; }\n";
+        target += "inline " + function + ".5f; }\n";
+    }
+    write("s/k.cu", source);
+    write("t/k.cpp", target);
+    ASSERT_EQ(porttool({"init", "--source", "s/*", "--target", "t/*"}).exit_code, 0);
+    for (int kibibytes = 50'000; kibibytes < 70'000; kibibytes += 1000) {
+        const int status =
+            std::system(("cd '" + root.string() + "' && (ulimit -v " + std::to_string(kibibytes) + "; '" +
+                         program_folder() + "/porttool' report --format html) > /dev/null 2> .err")
+                            .c_str());
+        ASSERT_TRUE(WIFEXITED(status)) << kibibytes;
+        const std::string said = text_of(root / ".err");
+        if (WEXITSTATUS(status) == 0 || said.find("error while loading") != std::string::npos) continue;
+        EXPECT_EQ(WEXITSTATUS(status), 2) << kibibytes << ": " << said;
+        EXPECT_NE(said.find("not enough memory"), std::string::npos) << kibibytes << ": " << said;
+    }
+}
+
 TEST_F(Output, WhatIsRecordedIsSaidWhereTheAnswerCannotBe) {
     if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
     write("s/k.cu", "__device__ float f(float a) { return a; }\n");
