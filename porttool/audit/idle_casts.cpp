@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <vector>
 
 #include "porttool/language/words.h"
 #include "porttool/normal/statements.h"
@@ -14,21 +15,26 @@ namespace {
 
 using CastText = std::vector<std::string>;
 
-/// Behind the bracket that closes the one at `first`; the end of the text where none does.
-size_t behind_closing(const CastText& words, size_t first, std::string_view opening, std::string_view closing) {
-    int depth = 0;
-    for (size_t i = first; i < words.size(); ++i) {
-        depth += words[i] == opening ? 1 : words[i] == closing ? -1 : 0;
-        if (depth == 0) return i + 1;
+/// Behind the angle that closes each `<`; the end of the text for all other words. In one walk, whatever the nest.
+std::vector<size_t> behind_angles(const CastText& words) {
+    std::vector<size_t> out(words.size(), words.size()), open;
+    for (size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == "<") {
+            open.push_back(i);
+        } else if (words[i] == ">" && !open.empty()) {
+            out[open.back()] = i + 1;
+            open.pop_back();
+        }
     }
-    return words.size();
+    return out;
 }
 
 CastText without_static_casts(const CastText& words) {
     CastText out;
+    const std::vector<size_t> behind = behind_angles(words);
     for (size_t i = 0; i < words.size(); ++i) {
         const bool casts = folded(words[i]) == "staticcast" && i + 1 < words.size() && words[i + 1] == "<";
-        const size_t end = casts ? behind_closing(words, i + 1, "<", ">") : 0;
+        const size_t end = casts ? behind[i + 1] : 0;
         if (casts && end < words.size() && words[end] == "(")
             i = end - 1;
         else
@@ -40,13 +46,15 @@ CastText without_static_casts(const CastText& words) {
 /// True for `name ( 3.0 / 2 )`: numbers, and what joins them.
 bool takes_numbers(const CastText& words, size_t name) {
     if (name + 2 >= words.size() || !is_word_token(words[name]) || words[name + 1] != "(") return false;
-    const size_t end = behind_closing(words, name + 1, "(", ")");
     bool any = false;
-    for (size_t i = name + 2; i + 1 < end; ++i) {
+    int depth = 1;
+    for (size_t i = name + 2; i < words.size(); ++i) {
+        depth += words[i] == "(" ? 1 : words[i] == ")" ? -1 : 0;
+        if (depth == 0) return any;
         if (!is_number_token(words[i]) && !is_one_of(words[i], {"+", "-", "*", "/", "(", ")"})) return false;
         any = any || is_number_token(words[i]);
     }
-    return any;
+    return false;
 }
 
 std::set<std::string> names_that_take_numbers(const CastText& a, const CastText& b) {

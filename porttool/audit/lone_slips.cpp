@@ -23,7 +23,7 @@ namespace {
 
 using Text = std::vector<std::string>;
 
-std::string quoted_words(const Text& words) {
+std::string quoted_words(StatementWords words) {
     std::string out;
     for (const std::string& word : words) (out.empty() ? out : out += ' ') += word;
     return "`" + out + "`";
@@ -31,7 +31,7 @@ std::string quoted_words(const Text& words) {
 
 /// True for a way to a value that is more than a name: `p . x`, `m [ i ]`. What calls, or counts on, may give something
 /// else the second time.
-bool is_plain_way(const Text& words) {
+bool is_plain_way(StatementWords words) {
     return words.size() > 2 && is_word_token(words[0]) &&
            std::none_of(words.begin(), words.end(), [](const std::string& word) {
                return is_one_of(word, {"(", "::", "++", "--", "="});
@@ -39,11 +39,11 @@ bool is_plain_way(const Text& words) {
 }
 
 /// `p . x - p . x`, `a [ i ] >= a [ i ]`.
-std::optional<LoneSlip> operand_twice(const Text& words) {
+std::optional<LoneSlip> operand_twice(const Text& words, const BracketPartners& partners) {
     for (size_t i = 1; i + 1 < words.size(); ++i) {
         if (!is_one_of(words[i], {"-", "/", "%", "<", ">", "<=", ">="})) continue;
-        const auto operands = operands_at(words, i);
-        if (operands && operands->left == operands->right && is_plain_way(operands->left))
+        const auto operands = operands_at(words, partners, i);
+        if (operands && are_same(operands->left, operands->right) && is_plain_way(operands->left))
             return LoneSlip{0, "has " + quoted_words(operands->left) + " on both sides of `" + words[i] + "`",
                             "say the other operand, or leave it"};
     }
@@ -51,11 +51,12 @@ std::optional<LoneSlip> operand_twice(const Text& words) {
 }
 
 /// `max ( a , a )`
-std::optional<LoneSlip> argument_twice(const Text& words) {
+std::optional<LoneSlip> argument_twice(const Text& words, const BracketPartners& partners) {
     for (size_t i = 0; i + 1 < words.size(); ++i) {
         if (words[i + 1] != "(" || !is_one_of(words[i], {"min", "max", "fmin", "fmax", "fminf", "fmaxf"})) continue;
-        const std::vector<Text> arguments = parts_of(words, i + 1, ",");
-        const bool calls = arguments.size() == 2 && arguments[0] == arguments[1] && !is_number_token(arguments[0][0]) &&
+        const std::vector<StatementWords> arguments = parts_of(words, partners, i + 1, ",");
+        const bool calls = arguments.size() == 2 && are_same(arguments[0], arguments[1]) &&
+                           !is_number_token(arguments[0][0]) &&
                            std::none_of(arguments[0].begin(), arguments[0].end(), [](const std::string& word) {
                                return is_one_of(word, {"++", "--"});
                            });
@@ -67,7 +68,7 @@ std::optional<LoneSlip> argument_twice(const Text& words) {
 }
 
 /// True for a question that has one answer, however often it is asked.
-bool asks_plainly(const Text& question) {
+bool asks_plainly(StatementWords question) {
     const bool compares = std::any_of(question.begin(), question.end(), [](const std::string& word) {
         return is_one_of(word, {"<", ">", "<=", ">=", "==", "!="});
     });
@@ -80,15 +81,16 @@ bool asks_plainly(const Text& question) {
 }
 
 /// `a > 0 && b > 0 && a > 0`
-std::optional<LoneSlip> question_twice(const Text& words) {
+std::optional<LoneSlip> question_twice(const Text& words, const BracketPartners& partners) {
     for (size_t i = 0; i < words.size(); ++i) {
         const bool opens = words[i] == "(";
         if (!opens) continue;
         for (const char* joint : {"&&", "||"}) {
-            const std::vector<Text> questions = parts_of(words, i, joint);
-            std::set<Text> asked;
-            for (const Text& one : questions)
-                if (asks_plainly(one) && !asked.insert(one).second)
+            const std::vector<StatementWords> questions = parts_of(words, partners, i, joint);
+            if (questions.size() < 2) continue;
+            std::set<StatementWords, ShorterFirst> asked;
+            for (const StatementWords one : questions)
+                if (!asked.insert(one).second && asks_plainly(one))
                     return LoneSlip{0, "asks " + quoted_words(one) + " twice in one condition",
                                     "ask the other question, or leave it"};
         }
@@ -101,11 +103,8 @@ std::optional<LoneSlip> operand_missing(const Text& words) {
     for (size_t i = 1; i + 2 < words.size(); ++i)
         if (words[i] == "[" && words[i + 1] == "+" && is_word_token(words[i - 1]) &&
             !is_one_of(words[i - 1], {"return", "case"}))
-            return LoneSlip{
-                0,
-                "has nothing before the `+` in " + quoted_words({words.begin() + static_cast<ptrdiff_t>(i) - 1,
-                                                                 words.begin() + static_cast<ptrdiff_t>(i) + 3}),
-                "say the first operand, or leave it"};
+            return LoneSlip{0, "has nothing before the `+` in " + quoted_words(StatementWords(words).subspan(i - 1, 4)),
+                            "say the first operand, or leave it"};
     return std::nullopt;
 }
 
@@ -116,7 +115,7 @@ struct LoopHead {
 
 std::optional<LoopHead> loop_head(const Text& words) {
     if (words.size() < 8 || words[0] != "for" || words[1] != "(") return std::nullopt;
-    const std::vector<Text> parts = parts_of(words, 1, ";");
+    const std::vector<StatementWords> parts = parts_of(words, BracketPartners(words), 1, ";");
     if (parts.size() != 3 || parts[0].size() < 3 || parts[1].size() < 3 || parts[2].size() < 2) return std::nullopt;
     LoopHead out;
     const auto sets = std::find(parts[0].begin(), parts[0].end(), "=");
@@ -158,7 +157,7 @@ public:
         const bool asks_other = head->goes_on == head->begins && head->asks != head->begins;
         if (!asks_other && (head->asks != head->begins || head->goes_on == head->begins)) return std::nullopt;
         const std::string& odd = asks_other ? head->asks : head->goes_on;
-        const std::vector<Text> parts = parts_of(words, 1, ";");
+        const std::vector<StatementWords> parts = parts_of(words, BracketPartners(words), 1, ";");
         const bool names_own =
             asks_other && std::find(parts[1].begin(), parts[1].end(), head->begins) != parts[1].end();
         if (names_own || !counted_.contains(odd) || changed_.contains(odd) || changed_.contains(head->begins))
@@ -186,15 +185,16 @@ public:
     }
 
     std::optional<LoneSlip> slip_of(const Text& words) const {
+        if (sizes_.empty() || declares_list(words)) return std::nullopt;
         for (size_t at = 0; at + 3 < words.size(); ++at) {
             const auto size = sizes_.find(words[at]);
             if (size == sizes_.end() || size->second == 0 || words[at + 1] != "[" || !is_whole(words[at + 2]) ||
-                words[at + 3] != "]" || declares_list(words))
+                words[at + 3] != "]")
                 continue;
             const bool is_it = at == 0 || !(is_word_token(words[at - 1]) || is_one_of(words[at - 1], {"&", ".", "->"}));
             if (is_it && std::strtoul(words[at + 2].c_str(), nullptr, 0) >= size->second)
                 return LoneSlip{0,
-                                "uses " + quoted_words({words[at], "[", words[at + 2], "]"}) + ", and `" + words[at] +
+                                "uses " + quoted_words(StatementWords(words).subspan(at, 4)) + ", and `" + words[at] +
                                     "` has " + std::to_string(size->second) + " elements",
                                 "stay within the array, or leave it", true};
         }
@@ -234,11 +234,15 @@ public:
     explicit HalfSetVectors(const std::vector<Text>& statements) {
         for (size_t i = 1; i < statements.size(); ++i) declare(statements[i]);
         for (size_t i = 1; i < statements.size(); ++i) read(i, statements[i]);
+        for (const auto& [name, one] : vectors_) used_at_[one.used_at].push_back(name);
     }
 
     std::optional<LoneSlip> slip_of(size_t index) const {
-        for (const auto& [name, one] : vectors_) {
-            if (one.size == 0 || one.is_whole || one.used_at != index || one.set.size() < 2) continue;
+        const auto used = used_at_.find(index);
+        if (used == used_at_.end()) return std::nullopt;
+        for (const std::string& name : used->second) {
+            const Vector& one = vectors_.at(name);
+            if (one.size == 0 || one.is_whole || one.set.size() < 2) continue;
             for (size_t k = 0; k < one.size; ++k)
                 if (const std::string part(1, "xyzw"[k]); !one.set.contains(part))
                     return LoneSlip{0, "uses all of `" + name + "`, of which `" + part + "` is never set",
@@ -303,16 +307,17 @@ private:
     }
 
     std::map<std::string, Vector> vectors_;
+    std::map<size_t, std::vector<std::string>> used_at_;  ///< by the first statement that uses all of them
 };
 
-bool has_name(const Text& words) { return std::any_of(words.begin(), words.end(), is_word_token); }
+bool has_name(StatementWords words) { return std::any_of(words.begin(), words.end(), is_word_token); }
 
 /// `return a ? b : b`
 std::optional<LoneSlip> choice_of_one(const Text& words) {
     for (size_t i = 1; i + 3 < words.size(); ++i) {
         if (words[i] != "?") continue;
         const auto branches = branches_at(words, i);
-        if (branches && branches->left == branches->right && has_name(branches->left))
+        if (branches && are_same(branches->left, branches->right) && has_name(branches->left))
             return LoneSlip{0, "gives " + quoted_words(branches->left) + " whatever it asks",
                             "say the other value, or leave it"};
     }
@@ -330,9 +335,10 @@ std::vector<LoneSlip> lone_slips(const std::vector<WrittenStatement>& statements
     std::map<size_t, LoneSlip> found;
     for (size_t i = 1; i < words.size(); ++i) {
         if (words[i].empty() || words[i][0] == "#" || is_aside(words[i])) continue;
-        for (auto slip :
-             {operand_twice(words[i]), argument_twice(words[i]), question_twice(words[i]), operand_missing(words[i]),
-              choice_of_one(words[i]), loops.slip_of(words[i]), arrays.slip_of(words[i]), vectors.slip_of(i)}) {
+        const BracketPartners partners(words[i]);
+        for (auto slip : {operand_twice(words[i], partners), argument_twice(words[i], partners),
+                          question_twice(words[i], partners), operand_missing(words[i]), choice_of_one(words[i]),
+                          loops.slip_of(words[i]), arrays.slip_of(words[i]), vectors.slip_of(i)}) {
             if (!slip) continue;
             slip->statement = i;
             found.try_emplace(i, std::move(*slip));

@@ -145,8 +145,7 @@ private:
     }
 
     Value expression(int least) {
-        constexpr int kDeepest = 200;
-        if (++depth_ > kDeepest) failed_ = true;
+        if (!goes_deeper()) return {};
         Value left = unary();
         while (!failed_ && at_ < words_.size()) {
             const Operator* found = operator_of(words_[at_]);
@@ -210,11 +209,22 @@ private:
         return {opposite ? -value : value, true, a, b, true};
     }
 
+    /// Nothing is read beyond a depth that nobody writes: each level is one of the stack as well.
+    bool goes_deeper() {
+        constexpr int kDeepest = 400;
+        failed_ = failed_ || ++depth_ > kDeepest;
+        return !failed_;
+    }
+
     Value unary() {
-        if (at_ >= words_.size()) {
-            failed_ = true;
-            return {};
-        }
+        failed_ = failed_ || at_ >= words_.size();
+        if (!goes_deeper()) return {};
+        const Value out = operand();
+        --depth_;
+        return out;
+    }
+
+    Value operand() {
         const std::string& word = words_[at_++];
         if (word == "-") return {-unary().number};
         if (word == "+") return unary();

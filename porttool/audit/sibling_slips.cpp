@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "porttool/audit/operands.h"
 #include "porttool/language/words.h"
 #include "porttool/text/is_one_of.h"
 
@@ -43,8 +44,9 @@ std::optional<size_t> counting_place(const std::string& a, const std::string& b)
 
 /// The word with another letter or digit where it counts, as `from` -> `to` has it in some other word.
 std::optional<std::string> counted_on(const std::string& word, char from, char to) {
+    constexpr size_t kLongest = 256;  // letters: a longer name counts nothing
     std::optional<std::string> out;
-    for (size_t at = 0; at < word.size(); ++at) {
+    for (size_t at = 0; at < word.size() && word.size() <= kLongest; ++at) {
         if (word[at] != from) continue;
         std::string other = word;
         other[at] = to;
@@ -56,14 +58,14 @@ std::optional<std::string> counted_on(const std::string& word, char from, char t
 }
 
 /// True for a name, and for the number of an element: other numbers are what they are.
-bool may_count(const Text& words, size_t at) {
+bool may_count(StatementWords words, size_t at) {
     if (is_word_token(words[at])) return true;
     return is_number_token(words[at]) && at > 0 && at + 1 < words.size() && words[at - 1] == "[" &&
            words[at + 1] == "]";
 }
 
 /// The word with the two before it, for a reader.
-std::string with_words_before(const Text& words, size_t at) {
+std::string with_words_before(StatementWords words, size_t at) {
     constexpr size_t kBefore = 2;
     std::string out;
     for (size_t i = at - std::min(at, kBefore); i <= at; ++i) (out.empty() ? out : out += ' ') += words[i];
@@ -77,26 +79,26 @@ struct OddWord {
 };
 
 /// Which of three words is another one's, where two of them are as the marks want them; 3 for none.
-size_t odd_of_three(const Text* const (&all)[3], size_t at, const std::string& marks) {
+size_t odd_of_three(const StatementWords (&all)[3], size_t at, const std::string& marks) {
     for (size_t odd = 0; odd < 3; ++odd) {
-        const std::string& one = (*all[odd == 0 ? 1 : 0])[at];
-        const std::string& two = (*all[odd == 2 ? 1 : 2])[at];
+        const std::string& one = all[odd == 0 ? 1 : 0][at];
+        const std::string& two = all[odd == 2 ? 1 : 2][at];
         const auto word = counted_on(one, marks[odd == 0 ? 1 : 0], marks[odd == 2 ? 1 : 2]);
-        if (word && *word == two && ((*all[odd])[at] == one || (*all[odd])[at] == two)) return odd;
+        if (word && *word == two && (all[odd][at] == one || all[odd][at] == two)) return odd;
     }
     return 3;
 }
 
 /// Three texts that say the same but for what counts on, and for one word of one of them.
-std::optional<OddWord> odd_word_of_three(const Text* const (&all)[3]) {
-    const size_t size = all[0]->size();
-    if (all[1]->size() != size || all[2]->size() != size) return std::nullopt;
+std::optional<OddWord> odd_word_of_three(const StatementWords (&all)[3]) {
+    const size_t size = all[0].size();
+    if (all[1].size() != size || all[2].size() != size) return std::nullopt;
     std::string marks;  // of each text, by the first word that counts
     OddWord out;
     for (size_t p = 0; p < size; ++p) {
-        const std::string &a = (*all[0])[p], &b = (*all[1])[p], &c = (*all[2])[p];
+        const std::string &a = all[0][p], &b = all[1][p], &c = all[2][p];
         if (a == b && b == c) continue;
-        if (!may_count(*all[0], p)) return std::nullopt;
+        if (!may_count(all[0], p)) return std::nullopt;
         const auto ab = counting_place(a, b), ac = counting_place(a, c), bc = counting_place(b, c);
         if (ab && ac && bc && *ab == *ac) {
             const std::string now{a[*ab], b[*ab], c[*ab]};
@@ -110,7 +112,7 @@ std::optional<OddWord> odd_word_of_three(const Text* const (&all)[3]) {
         if (out.text == 3) return std::nullopt;
         out.at = p;
         const size_t good = out.text == 0 ? 1 : 0;
-        const auto word = counted_on((*all[good])[p], marks[good], marks[out.text]);
+        const auto word = counted_on(all[good][p], marks[good], marks[out.text]);
         if (!word) return std::nullopt;
         out.wanted = *word;
     }
@@ -119,25 +121,38 @@ std::optional<OddWord> odd_word_of_three(const Text* const (&all)[3]) {
 
 bool is_sum_or_question(const std::string& word) { return is_one_of(word, {"+", "&&", "||"}); }
 
+/// True where a chain of operators may begin behind the word. No chain goes on over such a word, so that chains of one
+/// pair of brackets have no words in common.
+bool begins_chain(const std::string& word) { return is_one_of(word, {"(", "=", "return", ",", "+="}); }
+
+bool closes_round_or_square(const std::string& word) { return is_one_of(word, {")", "]"}); }
+
+/// Steps over what stands in brackets: the last word of it, all others as they are.
+size_t stepped_over(StatementWords words, const BracketPartners& partners, size_t at) {
+    if (!is_one_of(words[at], {"(", "["})) return at;
+    const size_t close = partners.of(at);
+    return close == at ? words.size() - 1 : close;
+}
+
 /// The terms of a sum, or the questions of a condition, one list for each pair of brackets and the whole.
-std::vector<std::vector<Text>> chains_of(const Text& words) {
-    std::vector<std::vector<Text>> out;
+std::vector<std::vector<StatementWords>> chains_of(StatementWords words, const BracketPartners& partners) {
+    std::vector<std::vector<StatementWords>> out;
     for (size_t first = 0; first < words.size(); ++first) {
-        const bool begins = first == 0 || is_one_of(words[first - 1], {"(", "=", "return", ",", "+="});
-        if (!begins) continue;
-        std::vector<Text> terms(1);
+        if (first > 0 && !begins_chain(words[first - 1])) continue;
+        std::vector<StatementWords> terms;
         std::string joint;
-        int depth = 0;
-        for (size_t i = first; i < words.size(); ++i) {
-            depth += is_one_of(words[i], {"(", "["}) ? 1 : is_one_of(words[i], {")", "]"}) ? -1 : 0;
-            if (depth < 0 || (depth == 0 && is_one_of(words[i], {",", "?", ";", "=", "-"}))) break;
-            if (depth == 0 && is_sum_or_question(words[i]) && (joint.empty() || joint == words[i])) {
+        size_t begin = first, i = first;
+        for (; i < words.size(); ++i) {
+            if (closes_round_or_square(words[i]) || is_one_of(words[i], {",", "?", ";", "=", "-", "return", "+="}))
+                break;
+            if (is_sum_or_question(words[i]) && (joint.empty() || joint == words[i])) {
                 joint = words[i];
-                terms.emplace_back();
-            } else {
-                terms.back().push_back(words[i]);
+                terms.push_back(words.subspan(begin, i - begin));
+                begin = i + 1;
             }
+            i = stepped_over(words, partners, i);
         }
+        terms.push_back(words.subspan(begin, i - begin));
         if (terms.size() > 2) out.push_back(std::move(terms));
     }
     return out;
@@ -145,31 +160,30 @@ std::vector<std::vector<Text>> chains_of(const Text& words) {
 
 /// The operands of a plain chain of operators, and those; no operands where it is none.
 struct Chain {
-    std::vector<Text> operands;
+    std::vector<StatementWords> operands;
     std::vector<std::string> operators;
 };
 
-Chain chain_from(const Text& words, size_t first) {
+Chain chain_from(StatementWords words, const BracketPartners& partners, size_t first) {
     Chain out;
-    out.operands.emplace_back();
-    int depth = 0;
-    for (size_t i = first; i < words.size(); ++i) {
-        depth += is_one_of(words[i], {"(", "["}) ? 1 : is_one_of(words[i], {")", "]"}) ? -1 : 0;
-        if (depth < 0 || (depth == 0 && is_one_of(words[i], {",", ";"}))) break;
-        if (depth == 0 && is_one_of(words[i], {"+", "-", "*", "/", "&&", "||", "&", "|", "<", ">", "=="})) {
+    size_t begin = first, i = first;
+    for (; i < words.size(); ++i) {
+        if (closes_round_or_square(words[i]) || is_one_of(words[i], {",", ";", "=", "return", "+="})) break;
+        if (is_one_of(words[i], {"+", "-", "*", "/", "&&", "||", "&", "|", "<", ">", "=="})) {
             out.operators.push_back(words[i]);
-            out.operands.emplace_back();
-        } else {
-            out.operands.back().push_back(words[i]);
+            out.operands.push_back(words.subspan(begin, i - begin));
+            begin = i + 1;
         }
+        i = stepped_over(words, partners, i);
     }
+    out.operands.push_back(words.subspan(begin, i - begin));
     const bool is_whole =
-        std::none_of(out.operands.begin(), out.operands.end(), [](const Text& one) { return one.empty(); });
+        std::none_of(out.operands.begin(), out.operands.end(), [](StatementWords one) { return one.empty(); });
     return is_whole ? out : Chain();
 }
 
 /// What counts on from one operand to another that is otherwise the same: '0' and '1' of `i0` and `i1`.
-std::optional<std::string> counts_on(const Text& a, const Text& b) {
+std::optional<std::string> counts_on(StatementWords a, StatementWords b) {
     if (a.size() != b.size()) return std::nullopt;
     std::string marks;
     for (size_t p = 0; p < a.size(); ++p) {
@@ -222,8 +236,9 @@ public:
             if (!says_enough(statements_[i])) continue;
             std::optional<LoneSlip> slip = of_three(i);
             if (!slip) slip = of_two(i);
-            if (!slip) slip = within(i);
-            if (!slip) slip = between(i);
+            const BracketPartners partners(statements_[i], false);
+            if (!slip) slip = within(i, partners);
+            if (!slip) slip = between(i, partners);
             if (slip) out.push_back(std::move(*slip));
         }
         return out;
@@ -239,7 +254,7 @@ private:
         return known_.contains(word) || (word.size() == 1 && !is_decimal(word[0]));
     }
 
-    static LoneSlip slip(size_t statement, const Text& words, size_t at, const std::string& wanted,
+    static LoneSlip slip(size_t statement, StatementWords words, size_t at, const std::string& wanted,
                          const char* beside) {
         return {statement,
                 "has " + with_words_before(words, at) + " where " + beside + " beside it go along to `" + wanted + "`",
@@ -247,7 +262,7 @@ private:
     }
 
     /// True where two statements set what counts on.
-    static bool set_next(const Text& a, const Text& b) {
+    static bool set_next(StatementWords a, StatementWords b) {
         const auto sets = std::find_if(a.begin(), a.end(), [](const std::string& word) {
             return is_one_of(word, {"=", "+=", "-=", "*=", "/="});
         });
@@ -258,10 +273,10 @@ private:
     std::optional<LoneSlip> of_three(size_t first) const {
         constexpr size_t kGoAlong = 2;
         if (first + 2 >= statements_.size()) return std::nullopt;
-        const Text* const all[] = {&statements_[first], &statements_[first + 1], &statements_[first + 2]};
+        const StatementWords all[] = {statements_[first], statements_[first + 1], statements_[first + 2]};
         const auto odd = odd_word_of_three(all);
-        if (!odd || odd->along < kGoAlong || !is_known(odd->wanted) || !set_next(*all[0], *all[1])) return std::nullopt;
-        return slip(first + odd->text, *all[odd->text], odd->at, odd->wanted, "the statements");
+        if (!odd || odd->along < kGoAlong || !is_known(odd->wanted) || !set_next(all[0], all[1])) return std::nullopt;
+        return slip(first + odd->text, all[odd->text], odd->at, odd->wanted, "the statements");
     }
 
     /// Two statements, of which the second keeps one name of the first and changes all others that count.
@@ -296,24 +311,24 @@ private:
     }
 
     /// Terms of one sum: `a . x * b . x + a . y * b . y + a . z * b . y`.
-    std::optional<LoneSlip> within(size_t index) const {
+    std::optional<LoneSlip> within(size_t index, const BracketPartners& partners) const {
         constexpr size_t kFewestWords = 5;
-        for (const std::vector<Text>& terms : chains_of(statements_[index]))
+        for (const std::vector<StatementWords>& terms : chains_of(statements_[index], partners))
             for (size_t k = 0; k + 2 < terms.size(); ++k) {
-                const Text* const all[] = {&terms[k], &terms[k + 1], &terms[k + 2]};
+                const StatementWords all[] = {terms[k], terms[k + 1], terms[k + 2]};
                 const auto odd = odd_word_of_three(all);
                 if (odd && terms[k].size() >= kFewestWords && is_known(odd->wanted))
-                    return slip(index, *all[odd->text], odd->at, odd->wanted, "the terms");
+                    return slip(index, all[odd->text], odd->at, odd->wanted, "the terms");
             }
         return std::nullopt;
     }
 
     /// Terms of one sum that are joined in two ways.
-    std::optional<LoneSlip> between(size_t index) const {
+    std::optional<LoneSlip> between(size_t index, const BracketPartners& partners) const {
         const Text& words = statements_[index];
         for (size_t first = 1; first < words.size(); ++first) {
-            if (!is_one_of(words[first - 1], {"(", "=", "return", ",", "+="})) continue;
-            const Chain chain = chain_from(words, first);
+            if (!begins_chain(words[first - 1])) continue;
+            const Chain chain = chain_from(words, partners, first);
             const size_t odd = operator_between(chain);
             if (odd == 0) continue;
             const std::string wanted = chain.operators[odd == 1 ? 3 : 1];

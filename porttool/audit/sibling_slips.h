@@ -15,7 +15,8 @@ namespace porttool {
 ///
 ///     lo . x = a . x * s . x ;  lo . y = a . y * s . y ;  lo . z = a . z * s . y ;
 ///
-/// The same of the terms of one sum, where an operator between two may be the odd one, too. Of two such statements nothing is told but where at least four words go along: people divide both by the width.
+/// The same of the terms of one sum, where an operator between two may be the odd one, too. Of two such statements
+/// nothing is told but where at least four words go along: people divide both by the width.
 std::vector<LoneSlip> sibling_slips(const std::vector<std::vector<std::string>>& statements);
 
 }  // namespace porttool

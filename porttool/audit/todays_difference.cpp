@@ -166,7 +166,7 @@ std::vector<CallThere> calls_of(const ReadSide& read) {
         for (size_t first = 0; first + 1 < words.size(); ++first) {
             if (words[first + 1] != "(" || !is_word_token(words[first]) || is_keyword(words[first])) continue;
             size_t end = first + 1, commas = 0;
-            for (int depth = 0; end < words.size(); ++end) {
+            for (int depth = 0; end < words.size() && end - first < kMostWords; ++end) {
                 depth += is_one_of(words[end], {"(", "["}) ? 1 : is_one_of(words[end], {")", "]"}) ? -1 : 0;
                 commas += depth == 1 && words[end] == "," ? 1 : 0;
                 if (depth == 0) break;

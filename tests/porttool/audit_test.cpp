@@ -685,6 +685,19 @@ TEST(AuditValues, AreTheSameWhereRealNumbersAre) {
     }
 }
 
+TEST_F(Audit, ReadsNoValueOfADepthThatNobodyWrites) {
+    constexpr size_t kDeep = 100'000;
+    const std::vector<std::vector<std::string>> nests = {
+        {"!"},          {"-"}, {"("}, {"f", "("}, {"a", "["}, {"a", "?"}, {"a", "?", "a", ":"}, {"static_cast", "<"},
+        {"a", "*", "("}};
+    for (const std::vector<std::string>& nest : nests) {
+        std::vector<std::string> text = {"x", "="};
+        for (size_t i = 0; i < kDeep; ++i) text.insert(text.end(), nest.begin(), nest.end());
+        text.emplace_back("a");
+        EXPECT_FALSE(give_the_same_value(text, {"x", "=", "b"})) << nest.back();
+    }
+}
+
 TEST_F(Audit, ACallerIsNoPortOfWhatItCalls) {
     const std::string body =
         "(const float* w, float level, int n) {\n    float sum = level * 0.5f;\n"

@@ -14,11 +14,15 @@
 #include <optional>
 #include <sstream>
 
+#include "porttool/audit/lone_slips.h"
+#include "porttool/audit/past_edit.h"
+#include "porttool/audit/same_value.h"
 #include "porttool/command/run.h"
 #include "porttool/effort/port_effort.h"
 #include "porttool/history/blob_facts_source.h"
 #include "porttool/match/match.h"
 #include "porttool/measure/measure.h"
+#include "porttool/normal/normal_form.h"
 #include "porttool/read/id_patterns.h"
 #include "porttool/read/ignore_rules.h"
 #include "porttool/scan/scan.h"
@@ -101,6 +105,25 @@ Task check_of(EditOf source, EditOf target) {
 TEST(Work, CheckOfOneEditedPlace) { expect_linear("check", check_of(EditOf::One, EditOf::None)); }
 TEST(Work, CheckOfTheSameEditOnBothSides) { expect_linear("check", check_of(EditOf::All, EditOf::All)); }
 TEST(Work, CheckOfOtherEditsOnBothSides) { expect_linear("check", check_of(EditOf::All, EditOf::One)); }
+
+/// What audit reads of the statements of one text, and of two that stand for each other.
+TEST(Work, AuditOfStatements) {
+    expect_linear("audit", [](const Construct& construct, size_t repetitions) {
+        const ScannedFile a = scan_text("s/a.cu", construct.text(repetitions, EditOf::None)),
+                          b = scan_text("t/a.cpp", construct.text(repetitions, EditOf::One));
+        std::vector<std::pair<std::vector<WrittenStatement>, std::vector<WrittenStatement>>> pairs;
+        for (size_t i = 0; i < std::min(a.units.size(), b.units.size()); ++i)
+            pairs.emplace_back(written_statements(normal_form(a, a.units[i]).words()),
+                               written_statements(normal_form(b, b.units[i]).words()));
+        return work_of([&] {
+            for (const auto& [here, there] : pairs) {
+                lone_slips(here);
+                for (size_t k = 0; k < std::min(here.size(), there.size()); ++k)
+                    give_the_same_value(words_of_statement(here[k]), words_of_statement(there[k]));
+            }
+        });
+    });
+}
 
 TEST(Work, Compare) {
     expect_linear("compare", [](const Construct& construct, size_t repetitions) {
