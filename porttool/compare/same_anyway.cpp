@@ -33,10 +33,10 @@ size_t behind_bracket(const Words& words, size_t open) {
 }
 
 /// The brackets of the parameters: of `@ (`; both 0 where there is none.
-struct Parameters {
+struct ParameterList {
     size_t open = 0, end = 0;
 
-    explicit Parameters(const Words& words) {
+    explicit ParameterList(const Words& words) {
         const auto name = std::find(words.begin(), words.end(), "@");
         const auto at = static_cast<size_t>(name - words.begin()) + 1;
         if (name == words.end() || word_at(words, at) != "(") return;
@@ -64,7 +64,7 @@ Words handed_over_by_value(const Words& one) {
 }
 
 /// The parameters between the brackets, each as handed_over_by_value() has it.
-Words parameters_by_value(const Words& words, const Parameters& where) {
+Words parameters_by_value(const Words& words, const ParameterList& where) {
     Words out, one;
     int depth = 0;
     for (size_t i = where.open + 1; i + 1 < where.end; ++i) {
@@ -193,7 +193,7 @@ bool tells_a_version(std::string_view macro) {
 
 Words with_values_as_taken(const Words& tokens) {
     const Words words = with_one_word_types(tokens);
-    const Parameters where(words);
+    const ParameterList where(words);
     Words plain;
     if (where.end > 0) {
         plain.assign(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(where.open) + 1);
