@@ -454,7 +454,6 @@ TEST_F(Difftest, NamesTheFilesOfABuildThatItDoesNotRead) {
     std::filesystem::create_symlink(outside, root / "a/Makefile");
     std::filesystem::create_directories(root / "build");
     ASSERT_EQ(::mkfifo((root / "build/compile_commands.json").c_str(), 0600), 0);
-    RealDisk disk;
     const std::string place = root.string();
     const BuildDefines build(place, disk, {});
     EXPECT_EQ(build.text_for("a/k.h"), "");
