@@ -171,19 +171,19 @@ BuildDefines::BuildDefines(const std::string& root, const Disk& disk, const std:
         if (commands_.empty()) read_commands(path);
 }
 
-/// "" where there is none, or none that may be read.
-std::string BuildDefines::read(const std::string& path, uint64_t limit) const {
+/// Nothing where there is none, or none that may be read.
+std::optional<std::string> BuildDefines::read(const std::string& path, uint64_t limit) const {
     FileText text = disk_.read(TreePath{root_, path}, limit);
     const bool is_missing = text.error == cannot_be_read(ENOENT) || text.error == cannot_be_read(ENOTDIR);
     if (!text.error.empty() && !is_missing) unread_.push_back(path + ": " + text.error);
-    return text.error.empty() ? std::move(text.bytes) : std::string();
+    return text.error.empty() ? std::optional(std::move(text.bytes)) : std::nullopt;
 }
 
 void BuildDefines::read_commands(const std::string& path) {
-    const std::string text = read(path, kLargestCommands);
-    if (text.empty()) return;
+    const std::optional<std::string> text = read(path, kLargestCommands);
+    if (!text) return;
     constexpr int kDeepest = 16;
-    const auto all = bounded_json<nlohmann::json>(text, kDeepest);
+    const auto all = bounded_json<nlohmann::json>(*text, kDeepest);
     if (!all.is_array()) return;
     const auto string_in = [](const nlohmann::json& one, const char* name) {
         return one.contains(name) && one[name].is_string() ? one[name].get<std::string>() : std::string();
@@ -207,9 +207,9 @@ const Macros& BuildDefines::of_folder(const std::string& folder, int up) const {
     const auto [at, is_new] = folders_.try_emplace(folder);
     if (!is_new) return at->second;
     for (const char* name : {"Makefile", "makefile", "GNUmakefile", "CMakeLists.txt"}) {
-        const std::string text = read(folder + name, kLargestBuildFile);
-        if (text.empty()) continue;
-        return folders_[folder] = name[0] == 'C' ? macros_in_cmake(text) : macros_in_makefile(text);
+        const std::optional<std::string> text = read(folder + name, kLargestBuildFile);
+        if (!text) continue;
+        return folders_[folder] = name[0] == 'C' ? macros_in_cmake(*text) : macros_in_makefile(*text);
     }
     if (folder.empty() || up == kMostFoldersUp) return at->second;
     Macros above = of_folder(folder_above(folder), up + 1);

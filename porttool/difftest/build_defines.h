@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,7 +42,7 @@ public:
     const std::vector<std::string>& unread() const { return unread_; }
 
 private:
-    std::string read(const std::string& path, uint64_t limit) const;
+    std::optional<std::string> read(const std::string& path, uint64_t limit) const;
     void read_commands(const std::string& path);
     const Macros& of_folder(const std::string& folder, int up) const;
 

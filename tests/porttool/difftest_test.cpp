@@ -444,6 +444,9 @@ TEST(BuildDefines, AreReadFromTextsAlone) {
     EXPECT_EQ(plain.text_for("a/k.cpp"), "#define N 5\n");
     EXPECT_EQ(plain.text_for("a/b/deep.h"), "#define N 6\n#define M 1\n");
     EXPECT_EQ(plain.text_for("k.h"), "");
+    disk.files["/r/a/c/Makefile"] = "";
+    const BuildDefines beside(root, disk, {});
+    EXPECT_EQ(beside.text_for("a/c/k.h"), "") << "the next Makefile is what counts, though nothing stands in it";
 }
 
 /// What leads out of the repository, and what never ends, is not read and named.
